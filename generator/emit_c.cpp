@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "generator/calls/find_calls.h"
+#include "generator/calls/find_parts.h"
+#include "generator/calls/places.h"
 #include "generator/cost.h"
 #include "generator/loops/find_loops.h"
 #include "generator/runtime_calls.h"
@@ -50,7 +52,7 @@ int count_of(const std::string& text, const std::string& word) {
 /// part of its caller.
 std::string shared_definitions(const EmittedModel& model, const std::string& functions) {
   std::string text;
-  bool not_inline = false;
+  bool not_inline = functions.find("SINEW_NOT_INLINE") != std::string::npos;
   for (const SharedFunction& each : shared_functions(model.functions, model.target)) {
     const int calls = count_of(functions, each.name + "(");
     not_inline = not_inline || calls > 1;
@@ -120,14 +122,32 @@ std::string calls_text(const EmittedModel& model, const CallingFunction& functio
     std::string arguments;
     for (const std::string& name : call.arguments)
       arguments += (arguments.empty() ? "" : ", ") + name;
+    const auto is_passed_numbers = [&](const Port& port) {
+      return port.name == call.results[0].name && !port.values.empty();
+    };
+    if (std::any_of(function.rest.inputs.begin(), function.rest.inputs.end(), is_passed_numbers))
+      continue;  // stands where they are known
     for (const Port& array : call.results) {
       if (!call.gives_results)
         text += fmt::format("    {} {}[{}];\n", model.target.type(), array.name, array.size());
-      arguments += ", " + array.name;
+      arguments += (arguments.empty() ? "" : ", ") + array.name;
     }
     text += fmt::format("    {}_{}({});\n", model.name, call.function, arguments);
   }
   return text;
+}
+
+/// The call of a part at numbers that the function computes.
+std::vector<std::string> part_call(const EmittedModel& model, const CallingFunction& function,
+                                   const Port& array, const std::vector<std::string>& passed) {
+  const auto call =
+      std::find_if(function.calls.begin(), function.calls.end(),
+                   [&](const Call& each) { return each.results[0].name == array.name; });
+  std::vector<std::string> arguments = call->arguments;
+  arguments.insert(arguments.end(), passed.begin(), passed.end());
+  arguments.push_back(array.name);
+  return {fmt::format("{} {}[{}];", model.target.type(), array.name, array.size()),
+          fmt::format("{}_{}({});", model.name, call->function, fmt::join(arguments, ", "))};
 }
 
 /// Definition of one function. `graph`: as the header has it.
@@ -136,6 +156,9 @@ std::string emit_function(const EmittedModel& model, const Graph& graph,
   ArrayNames names = array_names();
   if (model.target.optimise == Optimise::size) names.side_by_side = false;
   names.shared = true;
+  names.call = [&](const Port& array, const std::vector<std::string>& passed) {
+    return part_call(model, function, array, passed);
+  };
   std::string text = signature(model, graph) + "\n{\n";
   for (const Port& port : graph.inputs)
     if (!reads_port(function.rest, port.name) && !passes_port(function, port.name))
@@ -149,21 +172,33 @@ std::string emit_function(const EmittedModel& model, const Graph& graph,
   return wrap_lines(text + "}\n");
 }
 
-/// Of every function, side by side.
+/// The signature of a part: no header has it, and none of its arguments is left unread.
+std::string emit_part(const EmittedModel& model, const CallingFunction& part) {
+  Graph graph = part.rest;
+  graph.inputs.resize(own_ports(part));
+  return "SINEW_NOT_INLINE static " + emit_function(model, graph, part);
+}
+
+/// Of every function, side by side; the parts first.
 std::vector<std::string> emit_functions(const EmittedModel& model) {
-  const std::vector<CallingFunction> functions =
-      find_calls(model.functions, loop_limits(model.target));
-  std::vector<std::string> texts(model.functions.size());
+  std::vector<CallingFunction> functions = find_calls(model.functions, loop_limits(model.target));
+  const std::vector<CallingFunction> parts = find_parts(functions, loop_limits(model.target));
+  std::vector<std::string> texts(parts.size() + model.functions.size());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t i = next++; i < texts.size(); i = next++)
-      texts[i] = emit_function(model, model.functions[i], functions[i]);
+      texts[i] = i < parts.size() ? emit_part(model, parts[i])
+                                  : emit_function(model, model.functions[i - parts.size()],
+                                                  functions[i - parts.size()]);
   };
   std::vector<std::future<void>> workers;
   for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k)
     workers.push_back(std::async(std::launch::async, work));
   work();
   for (std::future<void>& worker : workers) worker.get();
+  if (!parts.empty())
+    texts[0] = "/* Parts: what several functions compute alike, or one at several places. */\n\n" +
+               texts[0];
   return texts;
 }
 

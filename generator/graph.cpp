@@ -122,6 +122,16 @@ bool Graph::is_constant(Value v, double value) const {
   return is_constant(v) && (*this)[v].constant == value;
 }
 
+Value Graph::find(const Node& node) const {
+  return table_.empty() ? no_value : table_[place_of(node)];
+}
+
+std::size_t Graph::port_of_input(int index) const {
+  std::size_t port = 0;
+  while (index >= inputs[port].size()) index -= inputs[port++].size();
+  return port;
+}
+
 int Graph::input_size() const {
   int total = 0;
   for (const Port& port : inputs) total += port.size();
@@ -157,6 +167,8 @@ std::vector<int> use_counts(const Graph& graph) {
   for (const Node& node : graph.nodes())
     for (int i = 0; i < arity(node.op); ++i) ++uses[static_cast<std::size_t>(node.operand(i))];
   for (Value v : graph.results()) ++uses[static_cast<std::size_t>(v)];
+  for (const Port& port : graph.inputs)
+    for (Value v : port.values) ++uses[static_cast<std::size_t>(v)];
   return uses;
 }
 

@@ -69,8 +69,10 @@ struct Port {
   int cols = 1;
   std::string unit;
   std::string doc;
-  std::vector<Range> ranges;             ///< inputs only
-  std::vector<Value> values;             ///< outputs only, rows*cols
+  std::vector<Range> ranges;  ///< inputs only
+  /// Outputs: rows*cols. Inputs: what must be computed before an element is read, the numbers that
+  /// are passed to the call that fills the array (generator/calls).
+  std::vector<Value> values;
   std::vector<double> reference = {};    ///< inputs only, as in Argument
   bool by_value = false;                 ///< inputs only, as in Argument
   std::vector<std::string> states = {};  ///< outputs only, as in Output
@@ -105,6 +107,11 @@ class Graph {
   bool is_constant(Value v) const { return (*this)[v].op == Op::constant; }
   bool is_constant(Value v, double value) const;
 
+  /// The value of `node` where it is there, else no_value.
+  Value find(const Node& node) const;
+  /// The argument that an input element belongs to.
+  std::size_t port_of_input(int index) const;
+
   /// Number of input elements over all arguments.
   int input_size() const;
   /// Name of an input element as the emitted C writes it, for instance "q[2]".
@@ -125,7 +132,7 @@ class Graph {
   std::vector<Value> table_;  ///< value numbers by hash of their node; no_value where free
 };
 
-/// How often each node is used as an operand or result.
+/// How often each node is used as an operand, result, or number passed to a call.
 std::vector<int> use_counts(const Graph& graph);
 
 }  // namespace sinew

@@ -16,6 +16,8 @@ namespace sinew {
 namespace {
 
 constexpr std::size_t longest_expression = 72;
+/// Of a named step that is used once: its name would take a line and say little more.
+constexpr std::size_t longest_in_place = 40;
 
 /// Words that no variable may be called by.
 constexpr std::array c_words{
@@ -75,6 +77,10 @@ class Writer {
       const Step& step = plan_.steps[at_];
       if (step.loop >= 0) {
         write_loop(plan_.loops[static_cast<std::size_t>(step.loop)]);
+        continue;
+      }
+      if (step.call >= 0) {
+        write_call(graph_.inputs[static_cast<std::size_t>(step.call)]);
         continue;
       }
       write(step.value);
@@ -152,7 +158,8 @@ class Writer {
 
   bool deserves_name(Value v, const Text& expression) const {
     const int uses = plan_.uses[static_cast<std::size_t>(v)];
-    return uses > 1 || !graph_.label(v).empty() || expression.text.size() > longest_expression;
+    const std::size_t longest = graph_.label(v).empty() ? longest_expression : longest_in_place;
+    return uses > 1 || expression.text.size() > longest;
   }
 
   /// The first of a group of neighbouring sines and cosines, the step being written, writes the
@@ -346,6 +353,12 @@ class Writer {
       index -= port.size();
     }
     return "?";
+  }
+
+  void write_call(const Port& port) {
+    std::vector<std::string> passed;
+    for (Value v : port.values) passed.push_back(text(v).text);
+    for (const std::string& line : names_.call(port, passed)) lines_.push_back(line);
   }
 
   /// A block of its own. What is carried is read before anything is assigned.

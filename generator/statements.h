@@ -19,6 +19,9 @@ struct ArrayNames {
   bool stores_last = false;   ///< all results are stored at the end
   bool shared = false;        ///< the file's copies of long functions are called (runtime_calls.h)
   bool int_statuses = false;  ///< a status is an int, else (in a loop's body) a number
+  /// The call that fills an input array, from the numbers that are passed to it.
+  std::function<std::vector<std::string>(const Port& port, const std::vector<std::string>& passed)>
+      call = {};
 };
 
 /// As the arguments of a function are: q[2], a number by its name, *status.
@@ -33,8 +36,8 @@ bool reads_port(const Graph& graph, const std::string& name);
 bool stores_early(const Graph& graph);
 
 /// The body of a function: declarations and loops in the plan's order, and the stores of the
-/// results. A value gets a name where the derivation named it, where it is used more than once or
-/// where the line would grow too long; the rest is written in place.
+/// results. A value gets a name where it is used more than once or would make a line too long, the
+/// sooner where the derivation has a name for it; the rest is written in place.
 std::vector<std::string> statements(const Graph& graph, const Plan& plan, const Target& target,
                                     const ArrayNames& names);
 

@@ -27,9 +27,9 @@ void capstan_friction_force(double tension, double bending, double velocity,
     const double limited_velocity = sinew_min(sinew_max(velocity, -1e+05), 1e+05);
     const double direction = limited_velocity / sinew_sqrt(1e-08 + limited_velocity
         * limited_velocity);
-    const double pull = sinew_max(tension, 0.0);
     const double angle = sinew_min(sinew_max(bending, 0.0), 100.0);
-    force[0] = -(direction * pull * (1.0 - sinew_one_exp(-(0.1 * angle))));
+    const double t1 = direction * sinew_max(tension, 0.0) * (1.0 - sinew_one_exp(-(0.1 * angle)));
+    force[0] = -t1;
 }
 
 void capstan_transmitted_force(double tension, double bending, double velocity,
@@ -39,6 +39,5 @@ void capstan_transmitted_force(double tension, double bending, double velocity,
     const double direction = limited_velocity / sinew_sqrt(1e-08 + limited_velocity
         * limited_velocity);
     const double angle = sinew_min(sinew_max(bending, 0.0), 100.0);
-    const double pull = sinew_max(tension, 0.0);
-    force[0] = pull * sinew_one_exp(-(0.1 * angle * direction));
+    force[0] = sinew_max(tension, 0.0) * sinew_one_exp(-(0.1 * angle * direction));
 }

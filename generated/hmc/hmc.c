@@ -67,14 +67,14 @@ void hmc_locking(double theta2, double distance[SINEW_AT_LEAST(1)], int *status)
     const double sin2 = sines1.s[0];
     const double cos2 = sines1.c[0];
     const double A = 1.2 - cos2;
-    const double reach_squared = sinew_max(sin2 * sin2 + A * A, 1e-12);
-    const double reach = sinew_sqrt(reach_squared);
+    const double reach = sinew_sqrt(sinew_max(sin2 * sin2 + A * A, 1e-12));
     const double C = 1.0045454545454546 - 1.0909090909090908 * cos2;
-    const double limited = sinew_min(sinew_max(C, -reach), reach);
-    const double cos_34 = 0.9166666666666666 - 0.8333333333333334 * limited;
+    const double cos_34 = 0.9166666666666666 - 0.8333333333333334 * sinew_min(sinew_max(C, -reach),
+        reach);
     const double slack = 0.6944444444444444 * (C + reach) * (C - reach);
-    const double sine = sinew_sqrt(sinew_max(-slack, 0.0));
-    distance[0] = sinew_one_atan2(sine, sinew_max(cos_34, -cos_34));
+    const double t2 = sinew_one_atan2(sinew_sqrt(sinew_max(-slack, 0.0)), sinew_max(cos_34,
+        -cos_34));
+    distance[0] = t2;
     *status = (int)sinew_choose(-(1e-12 + slack), 0.0, 1.0);
 }
 
@@ -88,16 +88,13 @@ void hmc_coupler_pose(double theta2, double T[SINEW_AT_LEAST(16)])
     const double reach = sinew_sqrt(reach_squared);
     const double C = 1.0045454545454546 - 1.0909090909090908 * cos2;
     const double slack = 0.6944444444444444 * (C + reach) * (C - reach);
-    const double root = sinew_sqrt(sinew_max(-slack, 1e-12));
-    const double side = 1.2 * root;
+    const double side = 1.2 * sinew_sqrt(sinew_max(-slack, 1e-12));
     const double limited = sinew_min(sinew_max(C, -reach), reach);
     const double t2 = 1.0 / reach_squared;
-    const double cos4 = (sin2 * side - A * limited) * t2;
     const double t3 = 0.01 * cos2;
-    const double along = 0.012 - t3 + 0.011 * cos4;
-    const double sin4 = (sin2 * limited + A * side) * t2;
+    const double along = 0.012 - t3 + 0.011 * ((sin2 * side - A * limited) * t2);
     const double t4 = 0.01 * sin2;
-    const double across = t4 - 0.011 * sin4;
+    const double across = t4 - 0.011 * ((sin2 * limited + A * side) * t2);
     const double length = sinew_sqrt(sinew_max(along * along + across * across, 1.44e-16));
     const double t5 = 1.0 / length;
     const double cos3 = along * t5;

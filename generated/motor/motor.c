@@ -44,8 +44,7 @@ void motor_ripple_torque(double theta, double tau[SINEW_AT_LEAST(1)])
     const struct sinew_sines2 sines1 = sinew_one_sincos2(0.3 + theta, 1.1 + 100.0 * theta);
     const double s2 = sines1.s[0];
     const double s4 = sines1.s[1];
-    const double ripple = 0.02 * s2 + 0.04 * s4;
-    tau[0] = -ripple;
+    tau[0] = -(0.02 * s2 + 0.04 * s4);
 }
 
 void motor_acceleration(double theta, double qd, double tau_m, double f,

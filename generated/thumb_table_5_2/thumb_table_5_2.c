@@ -44,6 +44,103 @@ SINEW_NOT_INLINE static struct sinew_sines2 sinew_one_sincos2(double x0, double 
     return y;
 }
 
+/* Parts: what several functions compute alike, or one at several places. */
+
+SINEW_NOT_INLINE static void thumb_table_5_2_part_1(const double h[SINEW_AT_LEAST(4)], double q10,
+    double q11,
+    double part[SINEW_AT_LEAST(10)])
+{
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q10, q11);
+    const double sin_q10 = sines1.s[0];
+    const double cos_q10 = sines1.c[0];
+    const double sin_q11 = sines1.s[1];
+    const double cos_q11 = sines1.c[1];
+    const double t2 = 0.03 * cos_q10;
+    const double t3 = 0.03 - t2;
+    const double t4 = 0.025 * sin_q11;
+    const double t5 = 0.047 * cos_q11;
+    const double along_2 = t4 - t5;
+    const double t6 = sin_q10 * along_2;
+    const double gap_y_6 = t3 - t6;
+    const double t7 = 0.025 * cos_q11;
+    const double t8 = 0.047 * sin_q11;
+    const double up_2 = t7 + t8;
+    const double gap_z_2 = 0.025 - up_2;
+    const double t9 = gap_z_2 * gap_z_2;
+    const double t10 = 0.03 * sin_q10;
+    const double t11 = 0.002 - t10;
+    const double t12 = cos_q10 * along_2;
+    const double gap_x_6 = t11 + t12;
+    const double stretch_6 = sinew_sqrt(t9 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
+    const double error_6 = h[3] - stretch_6;
+    const double t13 = error_6 * error_6;
+    const double along = t4 + t5;
+    const double t14 = sin_q10 * along;
+    const double gap_y_4 = t3 + t14;
+    const double up = t7 - t8;
+    const double gap_z = 0.025 - up;
+    const double t15 = gap_z * gap_z;
+    const double t16 = cos_q10 * along;
+    const double gap_x_4 = t11 - t16;
+    const double stretch_4 = sinew_sqrt(t15 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
+    const double error_4 = h[2] - stretch_4;
+    const double t17 = error_4 * error_4;
+    const double t18 = 0.002 + t10;
+    const double gap_x = t18 - t16;
+    const double gap_y = t3 - t14;
+    const double stretch = sinew_sqrt(gap_x * gap_x + gap_y * gap_y + t15);
+    const double error = h[0] - stretch;
+    const double t19 = error * error;
+    const double gap_x_2 = t18 + t12;
+    const double gap_y_2 = t3 + t6;
+    const double stretch_2 = sinew_sqrt(gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + t9);
+    const double error_2 = h[1] - stretch_2;
+    const double t20 = error_2 * error_2;
+    const double gap_y_2_by_q11 = sin_q10 * up_2;
+    const double t21 = along_2 * gap_z_2;
+    const double gap_x_2_by_q11 = cos_q10 * up_2;
+    const double t22 = 1.0 / stretch_6;
+    const double stretch_6_by_q11 = (t21 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
+        * t22;
+    const double gap_y_by_q11 = sin_q10 * up;
+    const double t23 = along * gap_z;
+    const double gap_x_by_q11 = cos_q10 * up;
+    const double t24 = 1.0 / stretch_4;
+    const double stretch_4_by_q11 = (t23 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t24;
+    const double t25 = 1.0 / stretch;
+    const double stretch_by_q11 = (t23 - gap_x * gap_x_by_q11 - gap_y * gap_y_by_q11) * t25;
+    const double t26 = 1.0 / stretch_2;
+    const double stretch_2_by_q11 = (t21 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
+        * t26;
+    const double t27 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
+        * error_4;
+    const double stretch_6_by_q10 = (gap_x_6 * (t2 + t6) - gap_y_6 * (t10 - t12)) * t22;
+    const double stretch_4_by_q10 = (gap_x_4 * (t2 - t14) - gap_y_4 * (t10 + t16)) * t24;
+    const double stretch_by_q10 = (gap_x * (t2 + t14) + gap_y * (t10 - t16)) * t25;
+    const double stretch_2_by_q10 = (gap_x_2 * (t2 - t6) + gap_y_2 * (t10 + t12)) * t26;
+    const double t28 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
+        - stretch_4_by_q10 * stretch_4_by_q11;
+    const double H_01 = t28 - stretch_6_by_q10 * stretch_6_by_q11;
+    const double t29 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
+        * error_4;
+    const double t30 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11
+        + stretch_4_by_q11 * stretch_4_by_q11;
+    const double H_11 = t30 + stretch_6_by_q11 * stretch_6_by_q11;
+    const double t31 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
+        + stretch_4_by_q10 * stretch_4_by_q10;
+    const double H_00 = t31 + stretch_6_by_q10 * stretch_6_by_q10;
+    part[0] = t13;
+    part[1] = t17;
+    part[2] = t19;
+    part[3] = t20;
+    part[4] = t19 + t20 + t17 + t13;
+    part[5] = t27 + stretch_6_by_q11 * error_6;
+    part[6] = H_01;
+    part[7] = t29 - stretch_6_by_q10 * error_6;
+    part[8] = H_11;
+    part[9] = H_00;
+}
+
 void thumb_table_5_2_forward_kinematics(const double q[SINEW_AT_LEAST(4)],
     double T[SINEW_AT_LEAST(16)])
 {
@@ -60,32 +157,20 @@ void thumb_table_5_2_forward_kinematics(const double q[SINEW_AT_LEAST(4)],
     const double s3 = sines2.s[1];
     const double c3 = sines2.c[1];
     const double R41y = c1 * c4;
-    const double R41x = c1 * s4;
-    const double l4x = 0.0298 * c3;
-    const double l3x = 0.045 * c2;
-    const double o4x = l3x + l4x;
-    const double p4x = c1 * o4x;
-    const double ptipx = p4x + 0.0201 * R41y;
+    const double o4x = 0.045 * c2 + 0.0298 * c3;
     const double R42y = s1 * c4;
-    const double R42x = s1 * s4;
-    const double p4y = s1 * o4x;
-    const double ptipy = p4y + 0.0201 * R42y;
-    const double l4y = 0.0298 * s3;
-    const double l3y = 0.045 * s2;
-    const double o4y = l3y + l4y;
-    const double ptipz = o4y + 0.0201 * s4;
     T[0] = R41y;
     T[1] = -s1;
-    T[2] = -R41x;
-    T[3] = ptipx;
+    T[2] = -(c1 * s4);
+    T[3] = c1 * o4x + 0.0201 * R41y;
     T[4] = R42y;
     T[5] = c1;
-    T[6] = -R42x;
-    T[7] = ptipy;
+    T[6] = -(s1 * s4);
+    T[7] = s1 * o4x + 0.0201 * R42y;
     T[8] = s4;
     T[9] = 0.0;
     T[10] = c4;
-    T[11] = ptipz;
+    T[11] = 0.045 * s2 + 0.0298 * s3 + 0.0201 * s4;
     T[12] = 0.0;
     T[13] = 0.0;
     T[14] = 0.0;
@@ -109,15 +194,13 @@ void thumb_table_5_2_tip_jacobian(const double q[SINEW_AT_LEAST(4)], double J[SI
     J[13] = s1;
     J[14] = s1;
     J[15] = s1;
-    const double l4x = 0.0298 * c3;
     const double l3x = 0.045 * c2;
-    const double o4x = l3x + l4x;
+    const double o4x = l3x + 0.0298 * c3;
     const double p4y = s1 * o4x;
     const double ptipy = p4y + 0.0201 * s1 * c4;
     J[0] = -ptipy;
-    const double l4y = 0.0298 * s3;
     const double l3y = 0.045 * s2;
-    const double o4y = l3y + l4y;
+    const double o4y = l3y + 0.0298 * s3;
     const double ptipz = o4y + 0.0201 * s4;
     J[1] = -(c1 * ptipz);
     const double arm3_4 = l3y - ptipz;
@@ -133,14 +216,8 @@ void thumb_table_5_2_tip_jacobian(const double q[SINEW_AT_LEAST(4)], double J[SI
     J[8] = 0.0;
     J[16] = 0.0;
     J[9] = c1 * ptipx + s1 * ptipy;
-    const double p3x = c1 * l3x;
-    const double arm3 = p3x - ptipx;
-    const double p3y = s1 * l3x;
-    const double arm3_2 = p3y - ptipy;
-    J[10] = -(c1 * arm3 + s1 * arm3_2);
-    const double arm4 = p4x - ptipx;
-    const double arm4_2 = p4y - ptipy;
-    J[11] = -(c1 * arm4 + s1 * arm4_2);
+    J[10] = -(c1 * (c1 * l3x - ptipx) + s1 * (s1 * l3x - ptipy));
+    J[11] = -(c1 * (p4x - ptipx) + s1 * (p4y - ptipy));
     J[12] = 0.0;
     const double t3 = -c1;
     J[17] = t3;
@@ -164,28 +241,20 @@ void thumb_table_5_2_mass_matrix(const double q[SINEW_AT_LEAST(4)], double M[SIN
     const struct sinew_sines sines2 = sinew_one_sincos(phi4);
     const double s4 = sines2.s[0];
     const double c4 = sines2.c[0];
-    const double j3u = 4.3862e-06 * c3;
-    const double j2u = 2.4218999999999996e-05 * c2;
-    const double j4u = 3.7701e-07 * s4;
+    const double t3 = c2 * (2.4218999999999996e-05 * c2) + c3 * (4.3862e-06 * c3) - s4 * (3.7701e-07
+        * s4);
     const double l4x = 0.0298 * c3;
     const double l3x = 0.045 * c2;
-    const double o4x = l3x + l4x;
     const double j4x1 = 3.015e-05 * c4;
     const double j3x1 = 0.0001788 * c3;
-    const double t3 = l4x * j4x1;
-    const double S3x = j3x1 + j4x1;
-    const double t4 = l3x * S3x;
-    const double Z1 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + t3 + t4
-        + 7.250099999999999e-07;
+    const double t4 = l4x * j4x1;
+    const double t5 = l3x * (j3x1 + j4x1);
+    const double Z1 = t3 + (l3x + l4x) * j4x1 + l3x * j3x1 + t4 + t5 + 7.250099999999999e-07;
     const double j4y1 = 3.015e-05 * s4;
-    const double j3y1 = 0.0001788 * s3;
-    const double S3y = j3y1 + j4y1;
     const double l3y = 0.045 * s2;
-    const double lS3 = t4 + l3y * S3y;
-    const double l4y = 0.0298 * s3;
-    const double lS4 = t3 + l4y * j4y1;
+    const double lS3 = t5 + l3y * (0.0001788 * s3 + j4y1);
+    const double lS4 = t4 + 0.0298 * s3 * j4y1;
     const double Z3 = 4.92521e-06 + (lS4 + lS4);
-    const double Z2 = 2.4381e-05 + Z3 + (lS3 + lS3);
     const double M_4 = Z3 + lS3;
     const double M_2 = 4.3101e-07 + lS4;
     const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
@@ -194,7 +263,7 @@ void thumb_table_5_2_mass_matrix(const double q[SINEW_AT_LEAST(4)], double M[SIN
     M[2] = 0.0;
     M[3] = 0.0;
     M[4] = 0.0;
-    M[5] = Z2;
+    M[5] = 2.4381e-05 + Z3 + (lS3 + lS3);
     M[6] = M_4;
     M[7] = M_2_2;
     M[8] = 0.0;
@@ -222,18 +291,16 @@ void thumb_table_5_2_coriolis_matrix(const double q[SINEW_AT_LEAST(4)],
     const double c4 = sines2.c[0];
     const double l4x = 0.0298 * c3;
     const double l3x = 0.045 * c2;
-    const double o4x = l3x + l4x;
     const double j4y1 = 3.015e-05 * s4;
-    const double K4yx = c4 * 3.7701e-07 * s4 + o4x * j4y1;
+    const double K4yx = c4 * 3.7701e-07 * s4 + (l3x + l4x) * j4y1;
     const double j3y1 = 0.0001788 * s3;
     const double j4x1 = 3.015e-05 * c4;
     const double l4y = 0.0298 * s3;
     const double t3 = l4y * j4x1;
     const double K3yx = s3 * 4.3862e-06 * c3 + K4yx + l3x * j3y1 + t3;
     const double j3x1 = 0.0001788 * c3;
-    const double S3x = j3x1 + j4x1;
     const double l3y = 0.045 * s2;
-    const double t4 = l3y * S3x;
+    const double t4 = l3y * (j3x1 + j4x1);
     const double K2yx = s2 * 2.4218999999999996e-05 * c2 + K3yx + t4;
     const double E2wQxx = qd[1] * K2yx + qd[2] * K3yx + qd[3] * K4yx;
     const double cD2y = qd[0] * K2yx;
@@ -244,35 +311,25 @@ void thumb_table_5_2_coriolis_matrix(const double q[SINEW_AT_LEAST(4)],
     const double G4y = j4y1 * w4z;
     const double G4x = j4x1 * w4z;
     const double C_2 = l4x * G4y - l4y * G4x;
-    const double X4 = l4x * j4y1 - t3;
-    const double C_3 = w3z * X4;
+    const double C_3 = w3z * (l4x * j4y1 - t3);
     const double Y3 = C_2 - C_3;
-    const double S3y = j3y1 + j4y1;
-    const double X3 = l3x * S3y - t4;
-    const double C_8 = Y3 - qd[1] * X3;
-    const double G3y = G4y + j3y1 * w3z;
-    const double t5 = l3x * G3y;
-    const double G3x = G4x + j3x1 * w3z;
-    const double t6 = l3y * G3x;
-    const double Y2 = C_8 + t5 - t6;
-    const double C_10 = Y3 + t5 - t6;
-    const double C_6 = C_2 + l3x * G4y - l3y * G4x;
-    const double X3_2 = l3x * j4y1 - l3y * j4x1;
-    const double C_4 = C_3 + qd[1] * X3_2;
+    const double C_8 = Y3 - qd[1] * (l3x * (j3y1 + j4y1) - t4);
+    const double t5 = l3x * (G4y + j3y1 * w3z);
+    const double t6 = l3y * (G4x + j3x1 * w3z);
     C[0] = -E2wQxx;
     C[1] = -cD2y;
     C[2] = -cD3y;
     C[3] = -cD4y;
     C[4] = cD2y;
-    C[5] = -Y2;
-    C[6] = -C_10;
-    C[7] = -C_6;
+    C[5] = -(C_8 + t5 - t6);
+    C[6] = -(Y3 + t5 - t6);
+    C[7] = -(C_2 + l3x * G4y - l3y * G4x);
     C[8] = cD3y;
     C[9] = -C_8;
     C[10] = -Y3;
     C[11] = -C_2;
     C[12] = cD4y;
-    C[13] = C_4;
+    C[13] = C_3 + qd[1] * (l3x * j4y1 - l3y * j4x1);
     C[14] = C_3;
     C[15] = 0.0;
 }
@@ -280,17 +337,15 @@ void thumb_table_5_2_coriolis_matrix(const double q[SINEW_AT_LEAST(4)],
 void thumb_table_5_2_gravity(const double q[SINEW_AT_LEAST(4)], double g[SINEW_AT_LEAST(4)])
 {
     const double phi3 = q[1] + q[2];
-    const double phi4 = q[3] + phi3;
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(phi4, phi3);
+    const struct sinew_sines2 sines1 = sinew_one_sincos2(q[3] + phi3, phi3);
     const double c4 = sines1.c[0];
     const double c3 = sines1.c[1];
     const struct sinew_sines sines4 = sinew_one_sincos(q[1]);
     const double c2 = sines4.c[0];
     const double n4 = 0.0002957715 * c4;
     const double n3 = n4 + 0.0017540280000000001 * c3;
-    const double n2 = n3 + 0.005959575 * c2;
     g[0] = 0.0;
-    g[1] = n2;
+    g[1] = n3 + 0.005959575 * c2;
     g[2] = n3;
     g[3] = n4;
 }
@@ -310,22 +365,16 @@ void thumb_table_5_2_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SIN
     const double c4 = sines2.c[0];
     const double l4x = 0.0298 * c3;
     const double l3x = 0.045 * c2;
-    const double o4x = l3x + l4x;
     const double j4y1 = 3.015e-05 * s4;
-    const double K4yx = c4 * 3.7701e-07 * s4 + o4x * j4y1;
-    const double j3y1 = 0.0001788 * s3;
-    const double t3 = l3x * j3y1;
+    const double K4yx = c4 * 3.7701e-07 * s4 + (l3x + l4x) * j4y1;
+    const double t3 = l3x * (0.0001788 * s3);
     const double j4x1 = 3.015e-05 * c4;
-    const double l4y = 0.0298 * s3;
-    const double t4 = l4y * j4x1;
+    const double t4 = 0.0298 * s3 * j4x1;
     const double K3yx = s3 * 4.3862e-06 * c3 + K4yx + t3 + t4;
     const double j3x1 = 0.0001788 * c3;
-    const double S3x = j3x1 + j4x1;
     const double l3y = 0.045 * s2;
-    const double K2yx = s2 * 2.4218999999999996e-05 * c2 + K3yx + l3y * S3x;
+    const double K2yx = s2 * 2.4218999999999996e-05 * c2 + K3yx + l3y * (j3x1 + j4x1);
     const double R2yx = qd[1] * K2yx + qd[2] * K3yx + qd[3] * K4yx;
-    const double w_2y = qd[0] + qd[0];
-    const double Q2y = w_2y * R2yx;
     const double X2_4 = l3x * j4y1 - l3y * j4x1;
     const double w2zz = qd[1] * qd[1];
     const double X3_4 = l4x * j4y1 - t4;
@@ -338,13 +387,10 @@ void thumb_table_5_2_bias(const double q[SINEW_AT_LEAST(4)], const double qd[SIN
     const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
     const double n2 = n3 + 0.005959575 * c2 - w3zz * X2_3 - w4zz * X2_4;
     const double w1zz = qd[0] * qd[0];
-    const double t2 = n2 + w1zz * K2yx;
-    const double t3_2 = n3 + w1zz * K3yx;
-    const double t4_2 = n4 + w1zz * K4yx;
-    h[0] = -Q2y;
-    h[1] = t2;
-    h[2] = t3_2;
-    h[3] = t4_2;
+    h[0] = -((qd[0] + qd[0]) * R2yx);
+    h[1] = n2 + w1zz * K2yx;
+    h[2] = n3 + w1zz * K3yx;
+    h[3] = n4 + w1zz * K4yx;
 }
 
 void thumb_table_5_2_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)],
@@ -380,15 +426,13 @@ void thumb_table_5_2_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)],
     M[4] = 0.0;
     const double j4y1 = 3.015e-05 * s4;
     const double j3y1 = 0.0001788 * s3;
-    const double S3y = j3y1 + j4y1;
     const double l3y = 0.045 * s2;
-    const double lS3 = t4 + l3y * S3y;
+    const double lS3 = t4 + l3y * (j3y1 + j4y1);
     const double l4y = 0.0298 * s3;
     const double lS4 = t3 + l4y * j4y1;
     const double Z3 = 4.92521e-06 + (lS4 + lS4);
     M[10] = Z3;
-    const double Z2 = 2.4381e-05 + Z3 + (lS3 + lS3);
-    M[5] = Z2;
+    M[5] = 2.4381e-05 + Z3 + (lS3 + lS3);
     const double M_4 = Z3 + lS3;
     M[6] = M_4;
     M[9] = M_4;
@@ -401,18 +445,13 @@ void thumb_table_5_2_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)],
     M[7] = M_2_2;
     M[8] = 0.0;
     M[13] = M_2_2;
-    const double j4xy = c4 * j4u;
-    const double K4yx = j4xy + o4x * j4y1;
-    const double j3xy = s3 * j3u;
+    const double K4yx = c4 * j4u + o4x * j4y1;
     const double t5 = l3x * j3y1;
     const double t6 = l4y * j4x1;
-    const double K3yx = j3xy + K4yx + t5 + t6;
-    const double j2xy = s2 * j2u;
-    const double K2yx = j2xy + K3yx + l3y * S3x;
+    const double K3yx = s3 * j3u + K4yx + t5 + t6;
+    const double K2yx = s2 * j2u + K3yx + l3y * S3x;
     const double R2yx = qd[1] * K2yx + qd[2] * K3yx + qd[3] * K4yx;
-    const double w_2y = qd[0] + qd[0];
-    const double Q2y = w_2y * R2yx;
-    h[0] = -Q2y;
+    h[0] = -((qd[0] + qd[0]) * R2yx);
     const double X2_4 = l3x * j4y1 - l3y * j4x1;
     const double w2zz = qd[1] * qd[1];
     const double X3_4 = l4x * j4y1 - t6;
@@ -425,12 +464,9 @@ void thumb_table_5_2_mass_matrix_and_bias(const double q[SINEW_AT_LEAST(4)],
     const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
     const double n2 = n3 + 0.005959575 * c2 - w3zz * X2_3 - w4zz * X2_4;
     const double w1zz = qd[0] * qd[0];
-    const double t2 = n2 + K2yx * w1zz;
-    h[1] = t2;
-    const double t3_2 = n3 + K3yx * w1zz;
-    h[2] = t3_2;
-    const double t4_2 = n4 + K4yx * w1zz;
-    h[3] = t4_2;
+    h[1] = n2 + K2yx * w1zz;
+    h[2] = n3 + K3yx * w1zz;
+    h[3] = n4 + K4yx * w1zz;
 }
 
 void thumb_table_5_2_forward_dynamics(const double q[SINEW_AT_LEAST(4)],
@@ -452,32 +488,25 @@ void thumb_table_5_2_forward_dynamics(const double q[SINEW_AT_LEAST(4)],
     const double o4x = l3x + l4x;
     const double j4y1 = 3.015e-05 * s4;
     const double j4u = 3.7701e-07 * s4;
-    const double j4xy = c4 * j4u;
-    const double K4yx = j4xy + o4x * j4y1;
+    const double K4yx = c4 * j4u + o4x * j4y1;
     const double j3u = 4.3862e-06 * c3;
-    const double j3xy = s3 * j3u;
     const double j3y1 = 0.0001788 * s3;
     const double t3 = l3x * j3y1;
     const double j4x1 = 3.015e-05 * c4;
     const double l4y = 0.0298 * s3;
     const double t4 = l4y * j4x1;
-    const double K3yx = j3xy + K4yx + t3 + t4;
+    const double K3yx = s3 * j3u + K4yx + t3 + t4;
     const double j2u = 2.4218999999999996e-05 * c2;
-    const double j2xy = s2 * j2u;
     const double j3x1 = 0.0001788 * c3;
     const double S3x = j3x1 + j4x1;
     const double l3y = 0.045 * s2;
-    const double K2yx = j2xy + K3yx + l3y * S3x;
+    const double K2yx = s2 * j2u + K3yx + l3y * S3x;
     const double R2yx = qd[1] * K2yx + qd[2] * K3yx + qd[3] * K4yx;
-    const double w_2y = qd[0] + qd[0];
-    const double Q2y = w_2y * R2yx;
-    const double y1 = tau[0] + Q2y;
     const double t5 = l4x * j4x1;
     const double t6 = l3x * S3x;
     const double Z1 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + t5 + t6
         + 7.250099999999999e-07;
-    const double r1 = 1.0 / Z1;
-    const double x1 = y1 * r1;
+    const double x1 = (tau[0] + (qd[0] + qd[0]) * R2yx) * (1.0 / Z1);
     const double X2_4 = l3x * j4y1 - l3y * j4x1;
     const double w2zz = qd[1] * qd[1];
     const double X3_4 = l4x * j4y1 - t4;
@@ -495,23 +524,16 @@ void thumb_table_5_2_forward_dynamics(const double q[SINEW_AT_LEAST(4)],
     const double L4_3 = 2320131.783485302 * M;
     const double b3 = tau[2] - n3 - K3yx * w1zz - y4 * L4_3;
     const double Z3 = 4.92521e-06 + (lS4 + lS4);
-    const double S3y = j3y1 + j4y1;
-    const double lS3 = t6 + l3y * S3y;
-    const double M_4 = Z3 + lS3;
+    const double lS3 = t6 + l3y * (j3y1 + j4y1);
     const double M_2 = M + l3x * j4x1 + l3y * j4y1;
-    const double A3_2 = M_4 - M_2 * L4_3;
-    const double A3_3 = Z3 - M * L4_3;
-    const double r3 = 1.0 / A3_3;
+    const double A3_2 = Z3 + lS3 - M_2 * L4_3;
+    const double r3 = 1.0 / (Z3 - M * L4_3);
     const double L3_2 = A3_2 * r3;
     const double L4_2 = 2320131.783485302 * M_2;
     const double t7 = tau[1] - n3 - 0.005959575 * c2 + w3zz * X2_3 + w4zz * X2_4 - K2yx * w1zz - y4
         * L4_2;
-    const double b2_2 = t7 - b3 * L3_2;
-    const double Z2 = 2.4381e-05 + Z3 + (lS3 + lS3);
-    const double A2_2 = Z2 - M_2 * L4_2;
-    const double A2_2_2 = A2_2 - A3_2 * L3_2;
-    const double r2 = 1.0 / A2_2_2;
-    const double x2 = b2_2 * r2;
+    const double A2_2 = 2.4381e-05 + Z3 + (lS3 + lS3) - M_2 * L4_2;
+    const double x2 = (t7 - b3 * L3_2) * (1.0 / (A2_2 - A3_2 * L3_2));
     const double x3 = b3 * r3 - L3_2 * x2;
     const double x4 = 2320131.783485302 * y4 - L4_3 * x3 - L4_2 * x2;
     qdd[0] = x1;
@@ -539,29 +561,24 @@ void thumb_table_5_2_inverse_dynamics(const double q[SINEW_AT_LEAST(4)],
     const double o4x = l3x + l4x;
     const double j4y1 = 3.015e-05 * s4;
     const double j4u = 3.7701e-07 * s4;
-    const double j4xy = c4 * j4u;
-    const double K4yx = j4xy + o4x * j4y1;
+    const double K4yx = c4 * j4u + o4x * j4y1;
     const double j3u = 4.3862e-06 * c3;
-    const double j3xy = s3 * j3u;
     const double j3y1 = 0.0001788 * s3;
     const double t3 = l3x * j3y1;
     const double j4x1 = 3.015e-05 * c4;
     const double l4y = 0.0298 * s3;
     const double t4 = l4y * j4x1;
-    const double K3yx = j3xy + K4yx + t3 + t4;
+    const double K3yx = s3 * j3u + K4yx + t3 + t4;
     const double j2u = 2.4218999999999996e-05 * c2;
-    const double j2xy = s2 * j2u;
     const double j3x1 = 0.0001788 * c3;
     const double S3x = j3x1 + j4x1;
     const double l3y = 0.045 * s2;
-    const double K2yx = j2xy + K3yx + l3y * S3x;
+    const double K2yx = s2 * j2u + K3yx + l3y * S3x;
     const double R2yx = qd[1] * K2yx + qd[2] * K3yx + qd[3] * K4yx;
-    const double w_2y = qd[0] + qd[0];
     const double t5 = l3x * j3x1;
     const double t6 = l4x * j4x1;
     const double t7 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + t5 + t6 + l3x * S3x
         + 7.2501e-07;
-    const double N1z = qdd[0] * t7 - w_2y * R2yx;
     const double D2_4 = l3x * j4x1 + l3y * j4y1;
     const double al3z = qdd[1] + qdd[2];
     const double al4z = qdd[3] + al3z;
@@ -582,15 +599,11 @@ void thumb_table_5_2_inverse_dynamics(const double q[SINEW_AT_LEAST(4)],
     const double n3 = t9 - w4zz * X3_4;
     const double t10 = n3 + 2.4381e-05 * qdd[1] + 0.005959575 * c2 + al3z * D2_3 - w3zz * X2_3
         + al4z * D2_4;
-    const double n2 = t10 - w4zz * X2_4;
     const double w1zz = qd[0] * qd[0];
-    const double t2 = n2 + w1zz * K2yx;
-    const double t3_2 = n3 + w1zz * K3yx;
-    const double t4_2 = n4 + w1zz * K4yx;
-    tau[0] = N1z;
-    tau[1] = t2;
-    tau[2] = t3_2;
-    tau[3] = t4_2;
+    tau[0] = qdd[0] * t7 - (qd[0] + qd[0]) * R2yx;
+    tau[1] = t10 - w4zz * X2_4 + w1zz * K2yx;
+    tau[2] = n3 + w1zz * K3yx;
+    tau[3] = n4 + w1zz * K4yx;
 }
 
 void thumb_table_5_2_tendon_lengths(const double q[SINEW_AT_LEAST(4)], double h[SINEW_AT_LEAST(8)])
@@ -600,19 +613,15 @@ void thumb_table_5_2_tendon_lengths(const double q[SINEW_AT_LEAST(4)], double h[
     const double c1 = sines1.c[0];
     const double s2 = sines1.s[1];
     const double c2 = sines1.c[1];
-    const double R21y = c1 * s2;
-    const double t2 = 0.025 * R21y;
+    const double t2 = 0.025 * (c1 * s2);
     const double t3 = 0.03 * s1;
     const double t4 = t2 - t3;
-    const double R21x = c1 * c2;
-    const double t5 = 0.047 * R21x;
+    const double t5 = 0.047 * (c1 * c2);
     const double A_lengthdx = 0.002 - t4 - t5;
-    const double R22y = s1 * s2;
-    const double t6 = 0.025 * R22y;
+    const double t6 = 0.025 * (s1 * s2);
     const double t7 = 0.03 * c1;
     const double t8 = 0.03 - (t6 + t7);
-    const double R22x = s1 * c2;
-    const double t9 = 0.047 * R22x;
+    const double t9 = 0.047 * (s1 * c2);
     const double A_lengthdy = t8 - t9;
     const double t10 = 0.025 - 0.025 * c2;
     const double t11 = 0.047 * s2;
@@ -678,8 +687,7 @@ void thumb_table_5_2_coupling_matrix(const double q[SINEW_AT_LEAST(4)],
     P[0] = -A_length_by_q0;
     const double t14 = 0.025 * s2;
     const double t15 = 0.047 * c2;
-    const double pA_length_toz_by_q1 = t14 + t15;
-    const double t16 = A_lengthdz * pA_length_toz_by_q1;
+    const double t16 = A_lengthdz * (t14 + t15);
     const double t17 = 0.025 * R21x;
     const double t18 = 0.047 * R21y;
     const double pA_length_tox_by_q1 = t17 - t18;
@@ -687,8 +695,7 @@ void thumb_table_5_2_coupling_matrix(const double q[SINEW_AT_LEAST(4)],
     const double t20 = 0.047 * R22y;
     const double pA_length_toy_by_q1 = t19 - t20;
     const double t21 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1 - t16;
-    const double A_length_by_q1 = t21 * t13;
-    P[1] = -A_length_by_q1;
+    P[1] = -(t21 * t13);
     P[2] = 0.0;
     P[3] = 0.0;
     const double t22 = t4 + t3;
@@ -703,13 +710,11 @@ void thumb_table_5_2_coupling_matrix(const double q[SINEW_AT_LEAST(4)],
     const double t25 = 1.0 / B_length;
     const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t25;
     P[4] = B_length_by_q0;
-    const double pB_length_toz_by_q1 = t14 - t15;
-    const double t26 = B_lengthdz * pB_length_toz_by_q1;
+    const double t26 = B_lengthdz * (t14 - t15);
     const double pB_length_tox_by_q1 = t17 + t18;
     const double pB_length_toy_by_q1 = t19 + t20;
     const double t27 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1 + t26;
-    const double B_length_by_q1 = t27 * t25;
-    P[5] = B_length_by_q1;
+    P[5] = t27 * t25;
     P[6] = 0.0;
     P[7] = 0.0;
     const double pC_length_tox = t22 + t2;
@@ -721,8 +726,7 @@ void thumb_table_5_2_coupling_matrix(const double q[SINEW_AT_LEAST(4)],
     const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t28;
     P[8] = C_length_by_q0;
     const double t29 = t16 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy * pA_length_toy_by_q1;
-    const double C_length_by_q1 = t29 * t28;
-    P[9] = C_length_by_q1;
+    P[9] = t29 * t28;
     P[10] = 0.0;
     P[11] = 0.0;
     const double pD_length_tox = t5 - t2;
@@ -734,8 +738,7 @@ void thumb_table_5_2_coupling_matrix(const double q[SINEW_AT_LEAST(4)],
     const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t30;
     P[12] = -D_length_by_q0;
     const double t31 = t26 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy * pB_length_toy_by_q1;
-    const double D_length_by_q1 = t31 * t30;
-    P[13] = D_length_by_q1;
+    P[13] = t31 * t30;
     P[14] = 0.0;
     P[15] = 0.0;
     P[16] = 0.0;
@@ -819,25 +822,19 @@ void thumb_table_5_2_joint_torque(const double q[SINEW_AT_LEAST(4)],
     const double pB_length_toy_by_q1 = t21 + t22;
     const double t23 = 0.025 * s2;
     const double t24 = 0.047 * c2;
-    const double pB_length_toz_by_q1 = t23 - t24;
-    const double t25 = B_lengthdz * pB_length_toz_by_q1;
+    const double t25 = B_lengthdz * (t23 - t24);
     const double t26 = 0.025 * R21x;
     const double t27 = 0.047 * R21y;
     const double pB_length_tox_by_q1 = t26 + t27;
     const double t28 = t25 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy * pB_length_toy_by_q1;
-    const double D_length_by_q1 = t28 * t13;
     const double pA_length_toy_by_q1 = t21 - t22;
-    const double pA_length_toz_by_q1 = t23 + t24;
-    const double t29 = A_lengthdz * pA_length_toz_by_q1;
+    const double t29 = A_lengthdz * (t23 + t24);
     const double pA_length_tox_by_q1 = t26 - t27;
     const double t30 = t29 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy * pA_length_toy_by_q1;
-    const double C_length_by_q1 = t30 * t17;
     const double t31 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1 - t29;
-    const double A_length_by_q1 = t31 * t18;
     const double t32 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1 + t25;
-    const double B_length_by_q1 = t32 * t19;
-    const double t33 = f[0] * A_length_by_q1 - f[1] * B_length_by_q1 - f[2] * C_length_by_q1 - f[3]
-        * D_length_by_q1;
+    const double t33 = f[0] * (t31 * t18) - f[1] * (t32 * t19) - f[2] * (t30 * t17) - f[3] * (t28
+        * t13);
     tau[0] = t20;
     tau[1] = t33;
     tau[2] = -(0.0065 * (f[4] - f[5] - f[6] + f[7]));
@@ -853,12 +850,8 @@ void thumb_table_5_2_joint_stiffness(const double q[SINEW_AT_LEAST(4)],
     const double c1 = sines1.c[0];
     const double s2 = sines1.s[1];
     const double c2 = sines1.c[1];
-    const double K4_4 = 3.0249999999999997e-05 * (kt[6] + kt[7]);
-    const double w7_3 = 0.0065 * kt[6];
-    const double w8_3 = 0.0065 * kt[7];
-    const double t2 = w7_3 + w8_3;
-    const double K3_4 = 0.0055 * t2;
-    const double t3 = -K3_4;
+    const double t2 = 0.0065 * kt[6] + 0.0065 * kt[7];
+    const double t3 = -(0.0055 * t2);
     const double K3_3 = 4.225e-05 * (kt[4] + kt[5]) + 0.0065 * t2;
     const double R21y = c1 * s2;
     const double t4 = 0.025 * R21y;
@@ -958,60 +951,47 @@ void thumb_table_5_2_joint_stiffness(const double q[SINEW_AT_LEAST(4)],
         * pB_length_toy_by_q1_2_by_q1;
     const double D_length_by_q1_2_by_q1 = (t46 + t37 + t38 + t39 - D_length_by_q1 * D_length_by_q1)
         * t44;
-    const double w1_2 = kt[0] * A_length_by_q1;
-    const double w2_2 = kt[1] * B_length_by_q1;
-    const double t47 = t43 + f[3] * D_length_by_q1_2_by_q1 + A_length_by_q1 * w1_2 + B_length_by_q1
-        * w2_2;
-    const double w3_2 = kt[2] * C_length_by_q1;
-    const double w4_2 = kt[3] * D_length_by_q1;
-    const double K2_2 = t47 + C_length_by_q1 * w3_2 + D_length_by_q1 * w4_2;
+    const double t47 = t43 + f[3] * D_length_by_q1_2_by_q1 + A_length_by_q1 * (kt[0]
+        * A_length_by_q1);
+    const double t48 = t47 + B_length_by_q1 * (kt[1] * B_length_by_q1) + C_length_by_q1 * (kt[2]
+        * C_length_by_q1);
+    const double K2_2 = t48 + D_length_by_q1 * (kt[3] * D_length_by_q1);
     const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t32;
-    const double t48 = B_lengthdx - pB_length_tox;
-    const double t49 = B_lengthdy - pB_length_toy;
-    const double t50 = pB_length_tox_by_q1 * t49 + pB_length_toy_by_q1 * -t48 - B_length_by_q0
+    const double t49 = B_lengthdx - pB_length_tox;
+    const double t50 = B_lengthdy - pB_length_toy;
+    const double t51 = pB_length_tox_by_q1 * t50 + pB_length_toy_by_q1 * -t49 - B_length_by_q0
         * B_length_by_q1;
-    const double B_length_by_q0_2_by_q1 = t50 * t32;
     const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t15;
-    const double t51 = A_lengthdx + pA_length_tox;
-    const double t52 = A_lengthdy + pA_length_toy;
-    const double t53 = pA_length_toy_by_q1 * t51 - pA_length_tox_by_q1 * t52 - A_length_by_q0
+    const double t52 = A_lengthdx + pA_length_tox;
+    const double t53 = A_lengthdy + pA_length_toy;
+    const double t54 = pA_length_toy_by_q1 * t52 - pA_length_tox_by_q1 * t53 - A_length_by_q0
         * A_length_by_q1;
-    const double A_length_by_q0_2_by_q1 = t53 * t15;
     const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t40;
-    const double t54 = pC_length_toy - C_lengthdy;
-    const double t55 = C_lengthdx + pC_length_tox;
-    const double t56 = pA_length_tox_by_q1 * -t54 + pA_length_toy_by_q1 * t55 - C_length_by_q0
+    const double t55 = pC_length_toy - C_lengthdy;
+    const double t56 = C_lengthdx + pC_length_tox;
+    const double t57 = pA_length_tox_by_q1 * -t55 + pA_length_toy_by_q1 * t56 - C_length_by_q0
         * C_length_by_q1;
-    const double C_length_by_q0_2_by_q1 = t56 * t40;
-    const double t57 = f[0] * A_length_by_q0_2_by_q1 + f[1] * B_length_by_q0_2_by_q1 + f[2]
-        * C_length_by_q0_2_by_q1;
     const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t44;
     const double t58 = D_lengthdx - pD_length_tox;
     const double t59 = D_lengthdy + pD_length_toy;
     const double t60 = pB_length_toy_by_q1 * -t58 - pB_length_tox_by_q1 * t59 + D_length_by_q0
         * D_length_by_q1;
-    const double D_length_by_q0_2_by_q1 = t60 * t44;
+    const double t61 = f[0] * (t54 * t15) + f[1] * (t51 * t32) + f[2] * (t57 * t40) + f[3] * (t60
+        * t44);
     const double w1_1 = kt[0] * A_length_by_q0;
     const double w2_1 = kt[1] * B_length_by_q0;
-    const double t61 = t57 + f[3] * D_length_by_q0_2_by_q1 + A_length_by_q1 * w1_1 + B_length_by_q1
-        * w2_1;
     const double w3_1 = kt[2] * C_length_by_q0;
+    const double t62 = t61 + A_length_by_q1 * w1_1 + B_length_by_q1 * w2_1 + C_length_by_q1 * w3_1;
     const double w4_1 = kt[3] * D_length_by_q0;
-    const double K1_2 = t61 + C_length_by_q1 * w3_1 - D_length_by_q1 * w4_1;
-    const double t62 = pA_length_toy * t52 + pA_length_tox * t51 - A_length_by_q0 * A_length_by_q0;
-    const double A_length_by_q0_2_by_q0 = t62 * t15;
-    const double t63 = pB_length_toy * t49 + pB_length_tox * t48 + B_length_by_q0 * B_length_by_q0;
-    const double B_length_by_q0_2_by_q0 = t63 * t32;
-    const double t64 = pC_length_toy * t54 + pC_length_tox * t55 - C_length_by_q0 * C_length_by_q0;
-    const double C_length_by_q0_2_by_q0 = t64 * t40;
-    const double t65 = f[0] * A_length_by_q0_2_by_q0 - f[1] * B_length_by_q0_2_by_q0 + f[2]
-        * C_length_by_q0_2_by_q0;
+    const double K1_2 = t62 - D_length_by_q1 * w4_1;
+    const double t63 = pA_length_toy * t53 + pA_length_tox * t52 - A_length_by_q0 * A_length_by_q0;
+    const double t64 = pB_length_toy * t50 + pB_length_tox * t49 + B_length_by_q0 * B_length_by_q0;
+    const double t65 = pC_length_toy * t55 + pC_length_tox * t56 - C_length_by_q0 * C_length_by_q0;
     const double t66 = pD_length_tox * t58 - pD_length_toy * t59 + D_length_by_q0 * D_length_by_q0;
-    const double D_length_by_q0_2_by_q0 = t66 * t44;
-    const double t67 = t65 - f[3] * D_length_by_q0_2_by_q0 + A_length_by_q0 * w1_1 + B_length_by_q0
-        * w2_1;
-    const double K1_1 = t67 + C_length_by_q0 * w3_1 + D_length_by_q0 * w4_1;
-    K[0] = K1_1;
+    const double t67 = f[0] * (t63 * t15) - f[1] * (t64 * t32) + f[2] * (t65 * t40) - f[3] * (t66
+        * t44);
+    const double t68 = t67 + A_length_by_q0 * w1_1 + B_length_by_q0 * w2_1 + C_length_by_q0 * w3_1;
+    K[0] = t68 + D_length_by_q0 * w4_1;
     K[1] = K1_2;
     K[2] = 0.0;
     K[3] = 0.0;
@@ -1026,7 +1006,7 @@ void thumb_table_5_2_joint_stiffness(const double q[SINEW_AT_LEAST(4)],
     K[12] = 0.0;
     K[13] = 0.0;
     K[14] = t3;
-    K[15] = K4_4;
+    K[15] = 3.0249999999999997e-05 * (kt[6] + kt[7]);
 }
 
 void thumb_table_5_2_tendon_hessian(const double q[SINEW_AT_LEAST(4)],
@@ -1046,171 +1026,157 @@ void thumb_table_5_2_tendon_hessian(const double q[SINEW_AT_LEAST(4)],
         H[14 + 16 * i1] = 0.0;
         H[15 + 16 * i1] = 0.0;
     }
-    const struct sinew_sines2 sines2 = sinew_one_sincos2(q[0], q[1]);
-    const double s1 = sines2.s[0];
-    const double c1 = sines2.c[0];
-    const double s2 = sines2.s[1];
-    const double c2 = sines2.c[1];
-    const double t3 = 0.025 * c2;
-    const double t4 = 0.047 * s2;
-    const double pA_length_toz = t3 - t4;
+    for (int i2 = 0; i2 < 4; ++i2) {
+        H[64 + 16 * i2] = 0.0;
+        H[65 + 16 * i2] = 0.0;
+        H[68 + 16 * i2] = 0.0;
+        H[69 + 16 * i2] = 0.0;
+    }
+    const struct sinew_sines2 sines3 = sinew_one_sincos2(q[0], q[1]);
+    const double s1 = sines3.s[0];
+    const double c1 = sines3.c[0];
+    const double s2 = sines3.s[1];
+    const double c2 = sines3.c[1];
+    const double t4 = 0.025 * c2;
+    const double t5 = 0.047 * s2;
+    const double pA_length_toz = t4 - t5;
     const double A_lengthdz = 0.025 - pA_length_toz;
-    const double t5 = A_lengthdz * A_lengthdz;
+    const double t6 = A_lengthdz * A_lengthdz;
     const double R21x = c1 * c2;
-    const double t6 = 0.047 * R21x;
-    const double t7 = 0.03 * s1;
+    const double t7 = 0.047 * R21x;
+    const double t8 = 0.03 * s1;
     const double R21y = c1 * s2;
-    const double t8 = 0.025 * R21y;
-    const double t9 = t8 - t7;
-    const double pA_length_tox = t9 + t6;
+    const double t9 = 0.025 * R21y;
+    const double t10 = t9 - t8;
+    const double pA_length_tox = t10 + t7;
     const double A_lengthdx = 0.002 - pA_length_tox;
     const double R22x = s1 * c2;
-    const double t10 = 0.047 * R22x;
-    const double t11 = 0.03 * c1;
+    const double t11 = 0.047 * R22x;
+    const double t12 = 0.03 * c1;
     const double R22y = s1 * s2;
-    const double t12 = 0.025 * R22y;
-    const double t13 = t12 + t11;
-    const double pA_length_toy = t13 + t10;
+    const double t13 = 0.025 * R22y;
+    const double t14 = t13 + t12;
+    const double pA_length_toy = t14 + t11;
     const double A_lengthdy = 0.03 - pA_length_toy;
-    const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t5);
-    const double t14 = 1.0 / A_length;
-    const double t15 = A_lengthdy + pA_length_toy;
-    const double t16 = A_lengthdx + pA_length_tox;
-    const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t14;
-    const double t17 = pA_length_toy * t15 + pA_length_tox * t16 - A_length_by_q0 * A_length_by_q0;
-    const double A_length_by_q0_2_by_q0 = t17 * t14;
-    H[0] = A_length_by_q0_2_by_q0;
-    const double t18 = 0.025 * R22x;
-    const double t19 = 0.047 * R22y;
-    const double pA_length_toy_by_q1 = t18 - t19;
-    const double t20 = 0.025 * R21x;
-    const double t21 = 0.047 * R21y;
-    const double pA_length_tox_by_q1 = t20 - t21;
-    const double t22 = 0.025 * s2;
-    const double t23 = 0.047 * c2;
-    const double pA_length_toz_by_q1 = t22 + t23;
-    const double t24 = A_lengthdz * pA_length_toz_by_q1;
-    const double t25 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1 - t24;
-    const double A_length_by_q1 = t25 * t14;
-    const double t26 = pA_length_toy_by_q1 * t16 - pA_length_tox_by_q1 * t15 - A_length_by_q0
+    const double A_length = sinew_sqrt(A_lengthdx * A_lengthdx + A_lengthdy * A_lengthdy + t6);
+    const double t15 = 1.0 / A_length;
+    const double t16 = A_lengthdy + pA_length_toy;
+    const double t17 = A_lengthdx + pA_length_tox;
+    const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx) * t15;
+    const double t18 = pA_length_toy * t16 + pA_length_tox * t17 - A_length_by_q0 * A_length_by_q0;
+    H[0] = t18 * t15;
+    const double t19 = 0.025 * R22x;
+    const double t20 = 0.047 * R22y;
+    const double pA_length_toy_by_q1 = t19 - t20;
+    const double t21 = 0.025 * R21x;
+    const double t22 = 0.047 * R21y;
+    const double pA_length_tox_by_q1 = t21 - t22;
+    const double t23 = 0.025 * s2;
+    const double t24 = 0.047 * c2;
+    const double pA_length_toz_by_q1 = t23 + t24;
+    const double t25 = A_lengthdz * pA_length_toz_by_q1;
+    const double t26 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1 - t25;
+    const double A_length_by_q1 = t26 * t15;
+    const double t27 = pA_length_toy_by_q1 * t17 - pA_length_tox_by_q1 * t16 - A_length_by_q0
         * A_length_by_q1;
-    const double A_length_by_q0_2_by_q1 = t26 * t14;
+    const double A_length_by_q0_2_by_q1 = t27 * t15;
     H[1] = A_length_by_q0_2_by_q1;
     H[4] = A_length_by_q0_2_by_q1;
-    const double t27 = pA_length_toz_by_q1 * pA_length_toz_by_q1;
-    const double t28 = pA_length_toy_by_q1 * pA_length_toy_by_q1;
-    const double t29 = pA_length_tox_by_q1 * pA_length_tox_by_q1;
-    const double pA_length_toy_by_q1_2_by_q1 = t12 + t10;
-    const double t30 = pA_length_toz * A_lengthdz;
-    const double pA_length_tox_by_q1_2_by_q1 = t8 + t6;
-    const double t31 = t30 + A_lengthdx * pA_length_tox_by_q1_2_by_q1 + A_lengthdy
+    const double t28 = pA_length_toz_by_q1 * pA_length_toz_by_q1;
+    const double t29 = pA_length_toy_by_q1 * pA_length_toy_by_q1;
+    const double t30 = pA_length_tox_by_q1 * pA_length_tox_by_q1;
+    const double pA_length_toy_by_q1_2_by_q1 = t13 + t11;
+    const double t31 = pA_length_toz * A_lengthdz;
+    const double pA_length_tox_by_q1_2_by_q1 = t9 + t7;
+    const double t32 = t31 + A_lengthdx * pA_length_tox_by_q1_2_by_q1 + A_lengthdy
         * pA_length_toy_by_q1_2_by_q1;
-    const double A_length_by_q1_2_by_q1 = (t31 + t29 + t28 + t27 - A_length_by_q1 * A_length_by_q1)
-        * t14;
+    const double A_length_by_q1_2_by_q1 = (t32 + t30 + t29 + t28 - A_length_by_q1 * A_length_by_q1)
+        * t15;
     H[5] = A_length_by_q1_2_by_q1;
-    const double pB_length_toz = t3 + t4;
+    const double pB_length_toz = t4 + t5;
     const double B_lengthdz = 0.025 - pB_length_toz;
-    const double t32 = B_lengthdz * B_lengthdz;
-    const double t33 = t8 + t7;
-    const double pB_length_tox = t33 - t6;
+    const double t33 = B_lengthdz * B_lengthdz;
+    const double t34 = t9 + t8;
+    const double pB_length_tox = t34 - t7;
     const double B_lengthdx = 0.002 + pB_length_tox;
-    const double t34 = t12 - t11;
-    const double pB_length_toy = t34 - t10;
+    const double t35 = t13 - t12;
+    const double pB_length_toy = t35 - t11;
     const double B_lengthdy = 0.03 + pB_length_toy;
-    const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t32);
-    const double t35 = 1.0 / B_length;
-    const double t36 = B_lengthdy - pB_length_toy;
-    const double t37 = B_lengthdx - pB_length_tox;
-    const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t35;
-    const double t38 = pB_length_toy * t36 + pB_length_tox * t37 + B_length_by_q0 * B_length_by_q0;
-    const double B_length_by_q0_2_by_q0 = t38 * t35;
-    H[16] = -B_length_by_q0_2_by_q0;
-    const double pB_length_tox_by_q1 = t20 + t21;
-    const double pB_length_toy_by_q1 = t18 + t19;
-    const double pB_length_toz_by_q1 = t22 - t23;
-    const double t39 = B_lengthdz * pB_length_toz_by_q1;
-    const double t40 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1 + t39;
-    const double B_length_by_q1 = t40 * t35;
-    const double t41 = pB_length_tox_by_q1 * t36 + pB_length_toy_by_q1 * -t37 - B_length_by_q0
+    const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t33);
+    const double t36 = 1.0 / B_length;
+    const double t37 = B_lengthdy - pB_length_toy;
+    const double t38 = B_lengthdx - pB_length_tox;
+    const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx) * t36;
+    const double t39 = pB_length_toy * t37 + pB_length_tox * t38 + B_length_by_q0 * B_length_by_q0;
+    H[16] = -(t39 * t36);
+    const double pB_length_tox_by_q1 = t21 + t22;
+    const double pB_length_toy_by_q1 = t19 + t20;
+    const double pB_length_toz_by_q1 = t23 - t24;
+    const double t40 = B_lengthdz * pB_length_toz_by_q1;
+    const double t41 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1 + t40;
+    const double B_length_by_q1 = t41 * t36;
+    const double t42 = pB_length_tox_by_q1 * t37 + pB_length_toy_by_q1 * -t38 - B_length_by_q0
         * B_length_by_q1;
-    const double B_length_by_q0_2_by_q1 = t41 * t35;
+    const double B_length_by_q0_2_by_q1 = t42 * t36;
     H[17] = B_length_by_q0_2_by_q1;
     H[20] = B_length_by_q0_2_by_q1;
-    const double t42 = pB_length_toz_by_q1 * pB_length_toz_by_q1;
-    const double t43 = pB_length_toy_by_q1 * pB_length_toy_by_q1;
-    const double t44 = pB_length_tox_by_q1 * pB_length_tox_by_q1;
-    const double pB_length_toy_by_q1_2_by_q1 = t12 - t10;
-    const double t45 = pB_length_toz * B_lengthdz;
-    const double pB_length_tox_by_q1_2_by_q1 = t8 - t6;
-    const double t46 = t45 - B_lengthdx * pB_length_tox_by_q1_2_by_q1 - B_lengthdy
+    const double t43 = pB_length_toz_by_q1 * pB_length_toz_by_q1;
+    const double t44 = pB_length_toy_by_q1 * pB_length_toy_by_q1;
+    const double t45 = pB_length_tox_by_q1 * pB_length_tox_by_q1;
+    const double pB_length_toy_by_q1_2_by_q1 = t13 - t11;
+    const double t46 = pB_length_toz * B_lengthdz;
+    const double pB_length_tox_by_q1_2_by_q1 = t9 - t7;
+    const double t47 = t46 - B_lengthdx * pB_length_tox_by_q1_2_by_q1 - B_lengthdy
         * pB_length_toy_by_q1_2_by_q1;
-    const double B_length_by_q1_2_by_q1 = (t46 + t44 + t43 + t42 - B_length_by_q1 * B_length_by_q1)
-        * t35;
+    const double B_length_by_q1_2_by_q1 = (t47 + t45 + t44 + t43 - B_length_by_q1 * B_length_by_q1)
+        * t36;
     H[21] = B_length_by_q1_2_by_q1;
-    const double pC_length_toy = t34 + t10;
+    const double pC_length_toy = t35 + t11;
     const double C_lengthdy = 0.03 + pC_length_toy;
-    const double pC_length_tox = t33 + t6;
+    const double pC_length_tox = t34 + t7;
     const double C_lengthdx = 0.002 - pC_length_tox;
-    const double C_length = sinew_sqrt(t5 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
-    const double t47 = 1.0 / C_length;
-    const double t48 = pC_length_toy - C_lengthdy;
-    const double t49 = C_lengthdx + pC_length_tox;
-    const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t47;
-    const double t50 = pC_length_toy * t48 + pC_length_tox * t49 - C_length_by_q0 * C_length_by_q0;
-    const double C_length_by_q0_2_by_q0 = t50 * t47;
-    H[32] = C_length_by_q0_2_by_q0;
-    const double t51 = t24 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy * pA_length_toy_by_q1;
-    const double C_length_by_q1 = t51 * t47;
-    const double t52 = pA_length_tox_by_q1 * -t48 + pA_length_toy_by_q1 * t49 - C_length_by_q0
+    const double C_length = sinew_sqrt(t6 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
+    const double t48 = 1.0 / C_length;
+    const double t49 = pC_length_toy - C_lengthdy;
+    const double t50 = C_lengthdx + pC_length_tox;
+    const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx) * t48;
+    const double t51 = pC_length_toy * t49 + pC_length_tox * t50 - C_length_by_q0 * C_length_by_q0;
+    H[32] = t51 * t48;
+    const double t52 = t25 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy * pA_length_toy_by_q1;
+    const double C_length_by_q1 = t52 * t48;
+    const double t53 = pA_length_tox_by_q1 * -t49 + pA_length_toy_by_q1 * t50 - C_length_by_q0
         * C_length_by_q1;
-    const double C_length_by_q0_2_by_q1 = t52 * t47;
+    const double C_length_by_q0_2_by_q1 = t53 * t48;
     H[33] = C_length_by_q0_2_by_q1;
     H[36] = C_length_by_q0_2_by_q1;
-    const double t53 = t30 + C_lengthdx * pA_length_tox_by_q1_2_by_q1 - C_lengthdy
+    const double t54 = t31 + C_lengthdx * pA_length_tox_by_q1_2_by_q1 - C_lengthdy
         * pA_length_toy_by_q1_2_by_q1;
-    const double C_length_by_q1_2_by_q1 = (t53 + t29 + t28 + t27 - C_length_by_q1 * C_length_by_q1)
-        * t47;
+    const double C_length_by_q1_2_by_q1 = (t54 + t30 + t29 + t28 - C_length_by_q1 * C_length_by_q1)
+        * t48;
     H[37] = C_length_by_q1_2_by_q1;
-    const double pD_length_toy = t13 - t10;
+    const double pD_length_toy = t14 - t11;
     const double D_lengthdy = 0.03 - pD_length_toy;
-    const double pD_length_tox = t9 - t6;
+    const double pD_length_tox = t10 - t7;
     const double D_lengthdx = 0.002 + pD_length_tox;
-    const double D_length = sinew_sqrt(t32 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
-    const double t54 = 1.0 / D_length;
-    const double t55 = D_lengthdx - pD_length_tox;
-    const double t56 = D_lengthdy + pD_length_toy;
-    const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t54;
-    const double t57 = pD_length_tox * t55 - pD_length_toy * t56 + D_length_by_q0 * D_length_by_q0;
-    const double D_length_by_q0_2_by_q0 = t57 * t54;
-    H[48] = -D_length_by_q0_2_by_q0;
-    const double t58 = t39 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy * pB_length_toy_by_q1;
-    const double D_length_by_q1 = t58 * t54;
-    const double t59 = pB_length_toy_by_q1 * -t55 - pB_length_tox_by_q1 * t56 + D_length_by_q0
+    const double D_length = sinew_sqrt(t33 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
+    const double t55 = 1.0 / D_length;
+    const double t56 = D_lengthdx - pD_length_tox;
+    const double t57 = D_lengthdy + pD_length_toy;
+    const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx) * t55;
+    const double t58 = pD_length_tox * t56 - pD_length_toy * t57 + D_length_by_q0 * D_length_by_q0;
+    H[48] = -(t58 * t55);
+    const double t59 = t40 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy * pB_length_toy_by_q1;
+    const double D_length_by_q1 = t59 * t55;
+    const double t60 = pB_length_toy_by_q1 * -t56 - pB_length_tox_by_q1 * t57 + D_length_by_q0
         * D_length_by_q1;
-    const double D_length_by_q0_2_by_q1 = t59 * t54;
+    const double D_length_by_q0_2_by_q1 = t60 * t55;
     H[49] = D_length_by_q0_2_by_q1;
     H[52] = D_length_by_q0_2_by_q1;
-    const double t60 = t45 - D_lengthdx * pB_length_tox_by_q1_2_by_q1 + D_lengthdy
+    const double t61 = t46 - D_lengthdx * pB_length_tox_by_q1_2_by_q1 + D_lengthdy
         * pB_length_toy_by_q1_2_by_q1;
-    const double D_length_by_q1_2_by_q1 = (t60 + t44 + t43 + t42 - D_length_by_q1 * D_length_by_q1)
-        * t54;
+    const double D_length_by_q1_2_by_q1 = (t61 + t45 + t44 + t43 - D_length_by_q1 * D_length_by_q1)
+        * t55;
     H[53] = D_length_by_q1_2_by_q1;
-    H[64] = 0.0;
-    H[65] = 0.0;
-    H[68] = 0.0;
-    H[69] = 0.0;
-    H[80] = 0.0;
-    H[81] = 0.0;
-    H[84] = 0.0;
-    H[85] = 0.0;
-    H[96] = 0.0;
-    H[97] = 0.0;
-    H[100] = 0.0;
-    H[101] = 0.0;
-    H[112] = 0.0;
-    H[113] = 0.0;
-    H[116] = 0.0;
-    H[117] = 0.0;
 }
 
 void thumb_table_5_2_link_position(const double h[SINEW_AT_LEAST(4)],
@@ -1219,570 +1185,107 @@ void thumb_table_5_2_link_position(const double h[SINEW_AT_LEAST(4)],
 {
     const double start_q10 = sinew_min(sinew_max(q_start[0], -1.5), 1.5);
     const double start_q11 = sinew_min(sinew_max(q_start[1], -1.5), 1.5);
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(start_q10, start_q11);
-    const double sin_q10 = sines1.s[0];
-    const double cos_q10 = sines1.c[0];
-    const double sin_q11 = sines1.s[1];
-    const double cos_q11 = sines1.c[1];
-    const double t2 = 0.03 * cos_q10;
-    const double t3 = 0.03 - t2;
-    const double t4 = 0.025 * sin_q11;
-    const double t5 = 0.047 * cos_q11;
-    const double along_2 = t4 - t5;
-    const double t6 = sin_q10 * along_2;
-    const double gap_y_6 = t3 - t6;
-    const double t7 = 0.025 * cos_q11;
-    const double t8 = 0.047 * sin_q11;
-    const double up_2 = t7 + t8;
-    const double gap_z_2 = 0.025 - up_2;
-    const double t9 = gap_z_2 * gap_z_2;
-    const double t10 = 0.03 * sin_q10;
-    const double t11 = 0.002 - t10;
-    const double t12 = cos_q10 * along_2;
-    const double gap_x_6 = t11 + t12;
-    const double stretch_6 = sinew_sqrt(t9 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
-    const double error_6 = h[3] - stretch_6;
-    const double along = t4 + t5;
-    const double t13 = sin_q10 * along;
-    const double gap_y_4 = t3 + t13;
-    const double up = t7 - t8;
-    const double gap_z = 0.025 - up;
-    const double t14 = gap_z * gap_z;
-    const double t15 = cos_q10 * along;
-    const double gap_x_4 = t11 - t15;
-    const double stretch_4 = sinew_sqrt(t14 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
-    const double error_4 = h[2] - stretch_4;
-    const double t16 = 0.002 + t10;
-    const double gap_x = t16 - t15;
-    const double gap_y = t3 - t13;
-    const double stretch = sinew_sqrt(gap_x * gap_x + gap_y * gap_y + t14);
-    const double error = h[0] - stretch;
-    const double gap_x_2 = t16 + t12;
-    const double gap_y_2 = t3 + t6;
-    const double stretch_2 = sinew_sqrt(gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + t9);
-    const double error_2 = h[1] - stretch_2;
-    const double t17 = error * error + error_2 * error_2 + error_4 * error_4 + error_6 * error_6;
-    const double cost = 0.5 * t17;
-    const double gap_y_2_by_q11 = sin_q10 * up_2;
-    const double t18 = along_2 * gap_z_2;
-    const double gap_x_2_by_q11 = cos_q10 * up_2;
-    const double t19 = 1.0 / stretch_6;
-    const double stretch_6_by_q11 = (t18 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
-        * t19;
-    const double gap_y_by_q11 = sin_q10 * up;
-    const double t20 = along * gap_z;
-    const double gap_x_by_q11 = cos_q10 * up;
-    const double t21 = 1.0 / stretch_4;
-    const double stretch_4_by_q11 = (t20 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t21;
-    const double t22 = 1.0 / stretch;
-    const double stretch_by_q11 = (t20 - gap_x * gap_x_by_q11 - gap_y * gap_y_by_q11) * t22;
-    const double t23 = 1.0 / stretch_2;
-    const double stretch_2_by_q11 = (t18 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
-        * t23;
-    const double t24 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
-        * error_4;
-    const double gradient_1 = t24 + stretch_6_by_q11 * error_6;
-    const double gap_x_6_by_q10 = t2 + t6;
-    const double gap_y_6_by_q10 = t10 - t12;
-    const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t19;
-    const double gap_x_4_by_q10 = t2 - t13;
-    const double gap_y_4_by_q10 = t10 + t15;
-    const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t21;
-    const double gap_x_by_q10 = t2 + t13;
-    const double gap_y_by_q10 = t10 - t15;
-    const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t22;
-    const double gap_x_2_by_q10 = t2 - t6;
-    const double gap_y_2_by_q10 = t10 + t12;
-    const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t23;
-    const double t25 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
-        - stretch_4_by_q10 * stretch_4_by_q11;
-    const double H_01 = t25 - stretch_6_by_q10 * stretch_6_by_q11;
-    const double t26 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
-        * error_4;
-    const double gradient_0 = t26 - stretch_6_by_q10 * error_6;
-    const double t27 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11
-        + stretch_4_by_q11 * stretch_4_by_q11;
-    const double H_11 = t27 + stretch_6_by_q11 * stretch_6_by_q11;
-    const double d = 1.0001 * H_11;
-    const double t28 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
-        + stretch_4_by_q10 * stretch_4_by_q10;
-    const double H_00 = t28 + stretch_6_by_q10 * stretch_6_by_q10;
-    const double a = 1.0001 * H_00;
-    const double safe = sinew_max(a * d - H_01 * H_01, 1e-24 + 1e-09 * a * d);
-    const double t29 = 1.0 / safe;
-    const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - gradient_0 * d) * t29), -0.5),
+    double part_1[10];
+    thumb_table_5_2_part_1(h, start_q10, start_q11, part_1);
+    const double cost = 0.5 * part_1[4];
+    const double d = 1.0001 * part_1[8];
+    const double a = 1.0001 * part_1[9];
+    const double safe = sinew_max(a * d - part_1[6] * part_1[6], 1e-24 + 1e-09 * a * d);
+    const double t1 = 1.0 / safe;
+    const double step = sinew_min(sinew_max(-((part_1[6] * part_1[5] - part_1[7] * d) * t1), -0.5),
         0.5);
     const double q10 = start_q10 + step;
-    const struct sinew_sines sines30 = sinew_one_sincos(q10);
-    const double sin_q10_2 = sines30.s[0];
-    const double cos_q10_2 = sines30.c[0];
-    const double t31 = 0.03 * cos_q10_2;
-    const double t32 = 0.03 - t31;
-    const double step_2 = sinew_min(sinew_max(-((H_01 * gradient_0 - gradient_1 * a) * t29), -0.5),
-        0.5);
+    const double step_2 = sinew_min(sinew_max(-((part_1[6] * part_1[7] - part_1[5] * a) * t1),
+        -0.5), 0.5);
     const double q11 = start_q11 + step_2;
-    const struct sinew_sines sines33 = sinew_one_sincos(q11);
-    const double sin_q11_2 = sines33.s[0];
-    const double cos_q11_2 = sines33.c[0];
-    const double t34 = 0.025 * sin_q11_2;
-    const double t35 = 0.047 * cos_q11_2;
-    const double along_10 = t34 - t35;
-    const double t36 = sin_q10_2 * along_10;
-    const double gap_y_14 = t32 - t36;
-    const double t37 = 0.025 * cos_q11_2;
-    const double t38 = 0.047 * sin_q11_2;
-    const double up_10 = t37 + t38;
-    const double gap_z_10 = 0.025 - up_10;
-    const double t39 = gap_z_10 * gap_z_10;
-    const double t40 = 0.03 * sin_q10_2;
-    const double t41 = 0.002 - t40;
-    const double t42 = cos_q10_2 * along_10;
-    const double gap_x_14 = t41 + t42;
-    const double stretch_14 = sinew_sqrt(t39 + gap_x_14 * gap_x_14 + gap_y_14 * gap_y_14);
-    const double error_14 = h[3] - stretch_14;
-    const double along_8 = t34 + t35;
-    const double t43 = sin_q10_2 * along_8;
-    const double gap_y_12 = t32 + t43;
-    const double up_8 = t37 - t38;
-    const double gap_z_8 = 0.025 - up_8;
-    const double t44 = gap_z_8 * gap_z_8;
-    const double t45 = cos_q10_2 * along_8;
-    const double gap_x_12 = t41 - t45;
-    const double stretch_12 = sinew_sqrt(t44 + gap_x_12 * gap_x_12 + gap_y_12 * gap_y_12);
-    const double error_12 = h[2] - stretch_12;
-    const double t46 = 0.002 + t40;
-    const double gap_x_8 = t46 - t45;
-    const double gap_y_8 = t32 - t43;
-    const double stretch_8 = sinew_sqrt(gap_x_8 * gap_x_8 + gap_y_8 * gap_y_8 + t44);
-    const double error_8 = h[0] - stretch_8;
-    const double gap_x_10 = t46 + t42;
-    const double gap_y_10 = t32 + t36;
-    const double stretch_10 = sinew_sqrt(gap_x_10 * gap_x_10 + gap_y_10 * gap_y_10 + t39);
-    const double error_10 = h[1] - stretch_10;
-    const double t47 = error_8 * error_8 + error_10 * error_10 + error_12 * error_12 + error_14
-        * error_14;
-    const double cost_2 = 0.5 * t47;
+    double part_1_2[10];
+    thumb_table_5_2_part_1(h, q10, q11, part_1_2);
+    const double cost_2 = 0.5 * part_1_2[4];
     const double better = cost - cost_2;
     const double kept_8 = sinew_choose(better, cost_2, cost);
     const double kept = sinew_choose(better, q10, start_q10);
-    const double gap_x_8_by_q10 = t31 + t43;
-    const double gap_y_8_by_q10 = t40 - t45;
-    const double t48 = 1.0 / stretch_8;
-    const double stretch_8_by_q10 = (gap_x_8 * gap_x_8_by_q10 + gap_y_8 * gap_y_8_by_q10) * t48;
-    const double gap_x_10_by_q10 = t31 - t36;
-    const double gap_y_10_by_q10 = t40 + t42;
-    const double t49 = 1.0 / stretch_10;
-    const double stretch_10_by_q10 = (gap_x_10 * gap_x_10_by_q10 + gap_y_10 * gap_y_10_by_q10)
-        * t49;
-    const double gap_x_12_by_q10 = t31 - t43;
-    const double gap_y_12_by_q10 = t40 + t45;
-    const double t50 = 1.0 / stretch_12;
-    const double stretch_12_by_q10 = (gap_x_12 * gap_x_12_by_q10 - gap_y_12 * gap_y_12_by_q10)
-        * t50;
-    const double t51 = stretch_8_by_q10 * error_8 + stretch_10_by_q10 * error_10 - stretch_12_by_q10
-        * error_12;
-    const double gap_x_14_by_q10 = t31 + t36;
-    const double gap_y_14_by_q10 = t40 - t42;
-    const double t52 = 1.0 / stretch_14;
-    const double stretch_14_by_q10 = (gap_x_14 * gap_x_14_by_q10 - gap_y_14 * gap_y_14_by_q10)
-        * t52;
-    const double gradient_0_2 = t51 - stretch_14_by_q10 * error_14;
-    const double kept_4 = sinew_choose(better, -gradient_0_2, -gradient_0);
-    const double gap_y_8_by_q11 = sin_q10_2 * up_8;
-    const double t53 = along_8 * gap_z_8;
-    const double gap_x_8_by_q11 = cos_q10_2 * up_8;
-    const double stretch_8_by_q11 = (t53 - gap_x_8 * gap_x_8_by_q11 - gap_y_8 * gap_y_8_by_q11)
-        * t48;
-    const double gap_y_10_by_q11 = sin_q10_2 * up_10;
-    const double t54 = along_10 * gap_z_10;
-    const double gap_x_10_by_q11 = cos_q10_2 * up_10;
-    const double stretch_10_by_q11 = (t54 + gap_x_10 * gap_x_10_by_q11 + gap_y_10 * gap_y_10_by_q11)
-        * t49;
-    const double t55 = stretch_8_by_q11 * stretch_8_by_q11 + stretch_10_by_q11 * stretch_10_by_q11;
-    const double stretch_12_by_q11 = (t53 - gap_x_12 * gap_x_8_by_q11 + gap_y_12 * gap_y_8_by_q11)
-        * t50;
-    const double stretch_14_by_q11 = (t54 + gap_x_14 * gap_x_10_by_q11 - gap_y_14 * gap_y_10_by_q11)
-        * t52;
-    const double H_11_2 = t55 + stretch_12_by_q11 * stretch_12_by_q11 + stretch_14_by_q11
-        * stretch_14_by_q11;
-    const double kept_14 = sinew_choose(better, H_11_2, H_11);
+    const double kept_4 = sinew_choose(better, -part_1_2[7], -part_1[7]);
+    const double kept_14 = sinew_choose(better, part_1_2[8], part_1[8]);
     const double kept_16 = sinew_choose(better, 1e-05, 0.001);
-    const double t56 = 1.0 + kept_16;
-    const double d_2 = kept_14 * t56;
-    const double t57 = stretch_8_by_q11 * error_8 + stretch_10_by_q11 * error_10 + stretch_12_by_q11
-        * error_12;
-    const double gradient_1_2 = t57 + stretch_14_by_q11 * error_14;
-    const double kept_6 = sinew_choose(better, -gradient_1_2, -gradient_1);
-    const double t58 = stretch_8_by_q10 * stretch_8_by_q11 + stretch_10_by_q10 * stretch_10_by_q11;
-    const double H_01_2 = t58 - stretch_12_by_q10 * stretch_12_by_q11 - stretch_14_by_q10
-        * stretch_14_by_q11;
-    const double kept_12 = sinew_choose(better, H_01_2, H_01);
-    const double t59 = stretch_8_by_q10 * stretch_8_by_q10 + stretch_10_by_q10 * stretch_10_by_q10;
-    const double H_00_2 = t59 + stretch_12_by_q10 * stretch_12_by_q10 + stretch_14_by_q10
-        * stretch_14_by_q10;
-    const double kept_10 = sinew_choose(better, H_00_2, H_00);
-    const double a_2 = kept_10 * t56;
+    const double t2 = 1.0 + kept_16;
+    const double d_2 = kept_14 * t2;
+    const double kept_6 = sinew_choose(better, -part_1_2[5], -part_1[5]);
+    const double kept_12 = sinew_choose(better, part_1_2[6], part_1[6]);
+    const double kept_10 = sinew_choose(better, part_1_2[9], part_1[9]);
+    const double a_2 = kept_10 * t2;
     const double safe_2 = sinew_max(a_2 * d_2 - kept_12 * kept_12, 1e-24 + 1e-09 * a_2 * d_2);
-    const double t60 = 1.0 / safe_2;
-    const double step_4 = sinew_min(sinew_max(-((kept_4 * d_2 - kept_6 * kept_12) * t60), -0.5),
+    const double t3 = 1.0 / safe_2;
+    const double step_4 = sinew_min(sinew_max(-((kept_4 * d_2 - kept_6 * kept_12) * t3), -0.5),
         0.5);
     const double q10_2 = kept + step_4;
-    const struct sinew_sines sines61 = sinew_one_sincos(q10_2);
-    const double sin_q10_4 = sines61.s[0];
-    const double cos_q10_4 = sines61.c[0];
-    const double t62 = 0.03 * sin_q10_4;
-    const double t63 = 0.002 + t62;
     const double kept_2 = sinew_choose(better, q11, start_q11);
-    const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * a_2) * t60, -0.5), 0.5);
+    const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * a_2) * t3, -0.5), 0.5);
     const double q11_2 = kept_2 + step_6;
-    const struct sinew_sines sines64 = sinew_one_sincos(q11_2);
-    const double sin_q11_4 = sines64.s[0];
-    const double cos_q11_4 = sines64.c[0];
-    const double t65 = 0.025 * sin_q11_4;
-    const double t66 = 0.047 * cos_q11_4;
-    const double along_16 = t65 + t66;
-    const double t67 = cos_q10_4 * along_16;
-    const double gap_x_16 = t63 - t67;
-    const double t68 = 0.03 * cos_q10_4;
-    const double t69 = 0.03 - t68;
-    const double t70 = sin_q10_4 * along_16;
-    const double gap_y_16 = t69 - t70;
-    const double t71 = 0.025 * cos_q11_4;
-    const double t72 = 0.047 * sin_q11_4;
-    const double up_16 = t71 - t72;
-    const double gap_z_16 = 0.025 - up_16;
-    const double t73 = gap_z_16 * gap_z_16;
-    const double stretch_16 = sinew_sqrt(gap_x_16 * gap_x_16 + gap_y_16 * gap_y_16 + t73);
-    const double error_16 = h[0] - stretch_16;
-    const double along_18 = t65 - t66;
-    const double t74 = cos_q10_4 * along_18;
-    const double gap_x_18 = t63 + t74;
-    const double t75 = sin_q10_4 * along_18;
-    const double gap_y_18 = t69 + t75;
-    const double up_18 = t71 + t72;
-    const double gap_z_18 = 0.025 - up_18;
-    const double t76 = gap_z_18 * gap_z_18;
-    const double stretch_18 = sinew_sqrt(gap_x_18 * gap_x_18 + gap_y_18 * gap_y_18 + t76);
-    const double error_18 = h[1] - stretch_18;
-    const double t77 = 0.002 - t62;
-    const double gap_x_20 = t77 - t67;
-    const double gap_y_20 = t69 + t70;
-    const double stretch_20 = sinew_sqrt(t73 + gap_x_20 * gap_x_20 + gap_y_20 * gap_y_20);
-    const double error_20 = h[2] - stretch_20;
-    const double gap_x_22 = t77 + t74;
-    const double gap_y_22 = t69 - t75;
-    const double stretch_22 = sinew_sqrt(t76 + gap_x_22 * gap_x_22 + gap_y_22 * gap_y_22);
-    const double error_22 = h[3] - stretch_22;
-    const double t78 = error_16 * error_16 + error_18 * error_18 + error_20 * error_20 + error_22
-        * error_22;
-    const double cost_4 = 0.5 * t78;
+    double part_1_3[10];
+    thumb_table_5_2_part_1(h, q10_2, q11_2, part_1_3);
+    const double cost_4 = 0.5 * part_1_3[4];
     const double better_2 = kept_8 - cost_4;
     const double kept_26 = sinew_choose(better_2, cost_4, kept_8);
     const double kept_18 = sinew_choose(better_2, q10_2, kept);
-    const double gap_x_16_by_q10 = t68 + t70;
-    const double gap_y_16_by_q10 = t62 - t67;
-    const double t79 = 1.0 / stretch_16;
-    const double stretch_16_by_q10 = (gap_x_16 * gap_x_16_by_q10 + gap_y_16 * gap_y_16_by_q10)
-        * t79;
-    const double gap_x_18_by_q10 = t68 - t75;
-    const double gap_y_18_by_q10 = t62 + t74;
-    const double t80 = 1.0 / stretch_18;
-    const double stretch_18_by_q10 = (gap_x_18 * gap_x_18_by_q10 + gap_y_18 * gap_y_18_by_q10)
-        * t80;
-    const double gap_x_20_by_q10 = t68 - t70;
-    const double gap_y_20_by_q10 = t62 + t67;
-    const double t81 = 1.0 / stretch_20;
-    const double stretch_20_by_q10 = (gap_x_20 * gap_x_20_by_q10 - gap_y_20 * gap_y_20_by_q10)
-        * t81;
-    const double t82 = stretch_16_by_q10 * error_16 + stretch_18_by_q10 * error_18
-        - stretch_20_by_q10 * error_20;
-    const double gap_x_22_by_q10 = t68 + t75;
-    const double gap_y_22_by_q10 = t62 - t74;
-    const double t83 = 1.0 / stretch_22;
-    const double stretch_22_by_q10 = (gap_x_22 * gap_x_22_by_q10 - gap_y_22 * gap_y_22_by_q10)
-        * t83;
-    const double gradient_0_4 = t82 - stretch_22_by_q10 * error_22;
-    const double kept_22 = sinew_choose(better_2, -gradient_0_4, kept_4);
-    const double t84 = along_16 * gap_z_16;
-    const double gap_x_16_by_q11 = cos_q10_4 * up_16;
-    const double gap_y_16_by_q11 = sin_q10_4 * up_16;
-    const double stretch_16_by_q11 = (t84 - gap_x_16 * gap_x_16_by_q11 - gap_y_16 * gap_y_16_by_q11)
-        * t79;
-    const double t85 = along_18 * gap_z_18;
-    const double gap_x_18_by_q11 = cos_q10_4 * up_18;
-    const double gap_y_18_by_q11 = sin_q10_4 * up_18;
-    const double stretch_18_by_q11 = (t85 + gap_x_18 * gap_x_18_by_q11 + gap_y_18 * gap_y_18_by_q11)
-        * t80;
-    const double t86 = stretch_16_by_q11 * stretch_16_by_q11 + stretch_18_by_q11
-        * stretch_18_by_q11;
-    const double stretch_20_by_q11 = (t84 - gap_x_20 * gap_x_16_by_q11 + gap_y_20 * gap_y_16_by_q11)
-        * t81;
-    const double stretch_22_by_q11 = (t85 + gap_x_22 * gap_x_18_by_q11 - gap_y_22 * gap_y_18_by_q11)
-        * t83;
-    const double H_11_4 = t86 + stretch_20_by_q11 * stretch_20_by_q11 + stretch_22_by_q11
-        * stretch_22_by_q11;
-    const double kept_32 = sinew_choose(better_2, H_11_4, kept_14);
+    const double kept_22 = sinew_choose(better_2, -part_1_3[7], kept_4);
+    const double kept_32 = sinew_choose(better_2, part_1_3[8], kept_14);
     const double kept_34 = sinew_choose(better_2, 0.1 * kept_16, 10.0 * kept_16);
-    const double t87 = 1.0 + kept_34;
-    const double d_4 = kept_32 * t87;
-    const double t88 = stretch_16_by_q11 * error_16 + stretch_18_by_q11 * error_18
-        + stretch_20_by_q11 * error_20;
-    const double gradient_1_4 = t88 + stretch_22_by_q11 * error_22;
-    const double kept_24 = sinew_choose(better_2, -gradient_1_4, kept_6);
-    const double t89 = stretch_16_by_q10 * stretch_16_by_q11 + stretch_18_by_q10
-        * stretch_18_by_q11;
-    const double H_01_4 = t89 - stretch_20_by_q10 * stretch_20_by_q11 - stretch_22_by_q10
-        * stretch_22_by_q11;
-    const double kept_30 = sinew_choose(better_2, H_01_4, kept_12);
-    const double t90 = stretch_16_by_q10 * stretch_16_by_q10 + stretch_18_by_q10
-        * stretch_18_by_q10;
-    const double H_00_4 = t90 + stretch_20_by_q10 * stretch_20_by_q10 + stretch_22_by_q10
-        * stretch_22_by_q10;
-    const double kept_28 = sinew_choose(better_2, H_00_4, kept_10);
-    const double a_4 = kept_28 * t87;
+    const double t4 = 1.0 + kept_34;
+    const double d_4 = kept_32 * t4;
+    const double kept_24 = sinew_choose(better_2, -part_1_3[5], kept_6);
+    const double kept_30 = sinew_choose(better_2, part_1_3[6], kept_12);
+    const double kept_28 = sinew_choose(better_2, part_1_3[9], kept_10);
+    const double a_4 = kept_28 * t4;
     const double safe_4 = sinew_max(a_4 * d_4 - kept_30 * kept_30, 1e-24 + 1e-09 * a_4 * d_4);
-    const double t91 = 1.0 / safe_4;
-    const double step_8 = sinew_min(sinew_max(-((kept_22 * d_4 - kept_24 * kept_30) * t91), -0.5),
+    const double t5 = 1.0 / safe_4;
+    const double step_8 = sinew_min(sinew_max(-((kept_22 * d_4 - kept_24 * kept_30) * t5), -0.5),
         0.5);
     const double q10_4 = kept_18 + step_8;
-    const struct sinew_sines sines92 = sinew_one_sincos(q10_4);
-    const double sin_q10_6 = sines92.s[0];
-    const double cos_q10_6 = sines92.c[0];
-    const double t93 = 0.03 * sin_q10_6;
-    const double t94 = 0.002 + t93;
     const double kept_20 = sinew_choose(better_2, q11_2, kept_2);
-    const double step_10 = sinew_min(sinew_max((kept_22 * kept_30 - kept_24 * a_4) * t91, -0.5),
+    const double step_10 = sinew_min(sinew_max((kept_22 * kept_30 - kept_24 * a_4) * t5, -0.5),
         0.5);
     const double q11_4 = kept_20 + step_10;
-    const struct sinew_sines sines95 = sinew_one_sincos(q11_4);
-    const double sin_q11_6 = sines95.s[0];
-    const double cos_q11_6 = sines95.c[0];
-    const double t96 = 0.025 * sin_q11_6;
-    const double t97 = 0.047 * cos_q11_6;
-    const double along_24 = t96 + t97;
-    const double t98 = cos_q10_6 * along_24;
-    const double gap_x_24 = t94 - t98;
-    const double t99 = 0.03 * cos_q10_6;
-    const double t100 = 0.03 - t99;
-    const double t101 = sin_q10_6 * along_24;
-    const double gap_y_24 = t100 - t101;
-    const double t102 = 0.025 * cos_q11_6;
-    const double t103 = 0.047 * sin_q11_6;
-    const double up_24 = t102 - t103;
-    const double gap_z_24 = 0.025 - up_24;
-    const double t104 = gap_z_24 * gap_z_24;
-    const double stretch_24 = sinew_sqrt(gap_x_24 * gap_x_24 + gap_y_24 * gap_y_24 + t104);
-    const double error_24 = h[0] - stretch_24;
-    const double along_26 = t96 - t97;
-    const double t105 = cos_q10_6 * along_26;
-    const double gap_x_26 = t94 + t105;
-    const double t106 = sin_q10_6 * along_26;
-    const double gap_y_26 = t100 + t106;
-    const double up_26 = t102 + t103;
-    const double gap_z_26 = 0.025 - up_26;
-    const double t107 = gap_z_26 * gap_z_26;
-    const double stretch_26 = sinew_sqrt(gap_x_26 * gap_x_26 + gap_y_26 * gap_y_26 + t107);
-    const double error_26 = h[1] - stretch_26;
-    const double t108 = 0.002 - t93;
-    const double gap_x_28 = t108 - t98;
-    const double gap_y_28 = t100 + t101;
-    const double stretch_28 = sinew_sqrt(t104 + gap_x_28 * gap_x_28 + gap_y_28 * gap_y_28);
-    const double error_28 = h[2] - stretch_28;
-    const double gap_x_30 = t108 + t105;
-    const double gap_y_30 = t100 - t106;
-    const double stretch_30 = sinew_sqrt(t107 + gap_x_30 * gap_x_30 + gap_y_30 * gap_y_30);
-    const double error_30 = h[3] - stretch_30;
-    const double t109 = error_24 * error_24 + error_26 * error_26 + error_28 * error_28 + error_30
-        * error_30;
-    const double cost_6 = 0.5 * t109;
+    double part_1_4[10];
+    thumb_table_5_2_part_1(h, q10_4, q11_4, part_1_4);
+    const double cost_6 = 0.5 * part_1_4[4];
     const double better_4 = kept_26 - cost_6;
-    const double kept_44 = sinew_choose(better_4, cost_6, kept_26);
     const double kept_36 = sinew_choose(better_4, q10_4, kept_18);
-    const double gap_x_24_by_q10 = t99 + t101;
-    const double gap_y_24_by_q10 = t93 - t98;
-    const double t110 = 1.0 / stretch_24;
-    const double stretch_24_by_q10 = (gap_x_24 * gap_x_24_by_q10 + gap_y_24 * gap_y_24_by_q10)
-        * t110;
-    const double gap_x_26_by_q10 = t99 - t106;
-    const double gap_y_26_by_q10 = t93 + t105;
-    const double t111 = 1.0 / stretch_26;
-    const double stretch_26_by_q10 = (gap_x_26 * gap_x_26_by_q10 + gap_y_26 * gap_y_26_by_q10)
-        * t111;
-    const double gap_x_28_by_q10 = t99 - t101;
-    const double gap_y_28_by_q10 = t93 + t98;
-    const double t112 = 1.0 / stretch_28;
-    const double stretch_28_by_q10 = (gap_x_28 * gap_x_28_by_q10 - gap_y_28 * gap_y_28_by_q10)
-        * t112;
-    const double t113 = stretch_24_by_q10 * error_24 + stretch_26_by_q10 * error_26
-        - stretch_28_by_q10 * error_28;
-    const double gap_x_30_by_q10 = t99 + t106;
-    const double gap_y_30_by_q10 = t93 - t105;
-    const double t114 = 1.0 / stretch_30;
-    const double stretch_30_by_q10 = (gap_x_30 * gap_x_30_by_q10 - gap_y_30 * gap_y_30_by_q10)
-        * t114;
-    const double gradient_0_6 = t113 - stretch_30_by_q10 * error_30;
-    const double kept_40 = sinew_choose(better_4, -gradient_0_6, kept_22);
-    const double t115 = along_24 * gap_z_24;
-    const double gap_x_24_by_q11 = cos_q10_6 * up_24;
-    const double gap_y_24_by_q11 = sin_q10_6 * up_24;
-    const double stretch_24_by_q11 = (t115 - gap_x_24 * gap_x_24_by_q11 - gap_y_24
-        * gap_y_24_by_q11) * t110;
-    const double t116 = along_26 * gap_z_26;
-    const double gap_x_26_by_q11 = cos_q10_6 * up_26;
-    const double gap_y_26_by_q11 = sin_q10_6 * up_26;
-    const double stretch_26_by_q11 = (t116 + gap_x_26 * gap_x_26_by_q11 + gap_y_26
-        * gap_y_26_by_q11) * t111;
-    const double t117 = stretch_24_by_q11 * stretch_24_by_q11 + stretch_26_by_q11
-        * stretch_26_by_q11;
-    const double stretch_28_by_q11 = (t115 - gap_x_28 * gap_x_24_by_q11 + gap_y_28
-        * gap_y_24_by_q11) * t112;
-    const double stretch_30_by_q11 = (t116 + gap_x_30 * gap_x_26_by_q11 - gap_y_30
-        * gap_y_26_by_q11) * t114;
-    const double H_11_6 = t117 + stretch_28_by_q11 * stretch_28_by_q11 + stretch_30_by_q11
-        * stretch_30_by_q11;
-    const double kept_50 = sinew_choose(better_4, H_11_6, kept_32);
+    const double kept_40 = sinew_choose(better_4, -part_1_4[7], kept_22);
+    const double kept_50 = sinew_choose(better_4, part_1_4[8], kept_32);
     const double kept_52 = sinew_choose(better_4, 0.1 * kept_34, 10.0 * kept_34);
-    const double t118 = 1.0 + kept_52;
-    const double d_6 = kept_50 * t118;
-    const double t119 = stretch_24_by_q11 * error_24 + stretch_26_by_q11 * error_26
-        + stretch_28_by_q11 * error_28;
-    const double gradient_1_6 = t119 + stretch_30_by_q11 * error_30;
-    const double kept_42 = sinew_choose(better_4, -gradient_1_6, kept_24);
-    const double t120 = stretch_24_by_q10 * stretch_24_by_q11 + stretch_26_by_q10
-        * stretch_26_by_q11;
-    const double H_01_6 = t120 - stretch_28_by_q10 * stretch_28_by_q11 - stretch_30_by_q10
-        * stretch_30_by_q11;
-    const double kept_48 = sinew_choose(better_4, H_01_6, kept_30);
-    const double t121 = stretch_24_by_q10 * stretch_24_by_q10 + stretch_26_by_q10
-        * stretch_26_by_q10;
-    const double H_00_6 = t121 + stretch_28_by_q10 * stretch_28_by_q10 + stretch_30_by_q10
-        * stretch_30_by_q10;
-    const double kept_46 = sinew_choose(better_4, H_00_6, kept_28);
-    const double a_6 = kept_46 * t118;
+    const double t6 = 1.0 + kept_52;
+    const double d_6 = kept_50 * t6;
+    const double kept_42 = sinew_choose(better_4, -part_1_4[5], kept_24);
+    const double kept_48 = sinew_choose(better_4, part_1_4[6], kept_30);
+    const double kept_46 = sinew_choose(better_4, part_1_4[9], kept_28);
+    const double a_6 = kept_46 * t6;
     const double safe_6 = sinew_max(a_6 * d_6 - kept_48 * kept_48, 1e-24 + 1e-09 * a_6 * d_6);
-    const double t122 = 1.0 / safe_6;
-    const double step_12 = sinew_min(sinew_max(-((kept_40 * d_6 - kept_42 * kept_48) * t122), -0.5),
+    const double t7 = 1.0 / safe_6;
+    const double step_12 = sinew_min(sinew_max(-((kept_40 * d_6 - kept_42 * kept_48) * t7), -0.5),
         0.5);
     const double q10_6 = kept_36 + step_12;
-    const struct sinew_sines sines123 = sinew_one_sincos(q10_6);
-    const double sin_q10_8 = sines123.s[0];
-    const double cos_q10_8 = sines123.c[0];
-    const double t124 = 0.03 * sin_q10_8;
-    const double t125 = 0.002 + t124;
     const double kept_38 = sinew_choose(better_4, q11_4, kept_20);
-    const double step_14 = sinew_min(sinew_max((kept_40 * kept_48 - kept_42 * a_6) * t122, -0.5),
+    const double step_14 = sinew_min(sinew_max((kept_40 * kept_48 - kept_42 * a_6) * t7, -0.5),
         0.5);
     const double q11_6 = kept_38 + step_14;
-    const struct sinew_sines sines126 = sinew_one_sincos(q11_6);
-    const double sin_q11_8 = sines126.s[0];
-    const double cos_q11_8 = sines126.c[0];
-    const double t127 = 0.025 * sin_q11_8;
-    const double t128 = 0.047 * cos_q11_8;
-    const double along_32 = t127 + t128;
-    const double t129 = cos_q10_8 * along_32;
-    const double gap_x_32 = t125 - t129;
-    const double t130 = 0.03 * cos_q10_8;
-    const double t131 = 0.03 - t130;
-    const double t132 = sin_q10_8 * along_32;
-    const double gap_y_32 = t131 - t132;
-    const double t133 = 0.025 * cos_q11_8;
-    const double t134 = 0.047 * sin_q11_8;
-    const double up_32 = t133 - t134;
-    const double gap_z_32 = 0.025 - up_32;
-    const double t135 = gap_z_32 * gap_z_32;
-    const double stretch_32 = sinew_sqrt(gap_x_32 * gap_x_32 + gap_y_32 * gap_y_32 + t135);
-    const double error_32 = h[0] - stretch_32;
-    const double along_34 = t127 - t128;
-    const double t136 = cos_q10_8 * along_34;
-    const double gap_x_34 = t125 + t136;
-    const double t137 = sin_q10_8 * along_34;
-    const double gap_y_34 = t131 + t137;
-    const double up_34 = t133 + t134;
-    const double gap_z_34 = 0.025 - up_34;
-    const double t138 = gap_z_34 * gap_z_34;
-    const double stretch_34 = sinew_sqrt(gap_x_34 * gap_x_34 + gap_y_34 * gap_y_34 + t138);
-    const double error_34 = h[1] - stretch_34;
-    const double t139 = 0.002 - t124;
-    const double gap_x_36 = t139 - t129;
-    const double gap_y_36 = t131 + t132;
-    const double stretch_36 = sinew_sqrt(t135 + gap_x_36 * gap_x_36 + gap_y_36 * gap_y_36);
-    const double error_36 = h[2] - stretch_36;
-    const double gap_x_38 = t139 + t136;
-    const double gap_y_38 = t131 - t137;
-    const double stretch_38 = sinew_sqrt(t138 + gap_x_38 * gap_x_38 + gap_y_38 * gap_y_38);
-    const double error_38 = h[3] - stretch_38;
-    const double t140 = error_32 * error_32 + error_34 * error_34 + error_36 * error_36 + error_38
-        * error_38;
-    const double better_6 = kept_44 - 0.5 * t140;
-    const double kept_54 = sinew_choose(better_6, q10_6, kept_36);
-    const double kept_56 = sinew_choose(better_6, q11_6, kept_38);
-    const double gap_x_32_by_q10 = t130 + t132;
-    const double gap_y_32_by_q10 = t124 - t129;
-    const double t141 = 1.0 / stretch_32;
-    const double stretch_32_by_q10 = (gap_x_32 * gap_x_32_by_q10 + gap_y_32 * gap_y_32_by_q10)
-        * t141;
-    const double gap_x_34_by_q10 = t130 - t137;
-    const double gap_y_34_by_q10 = t124 + t136;
-    const double t142 = 1.0 / stretch_34;
-    const double stretch_34_by_q10 = (gap_x_34 * gap_x_34_by_q10 + gap_y_34 * gap_y_34_by_q10)
-        * t142;
-    const double gap_x_36_by_q10 = t130 - t132;
-    const double gap_y_36_by_q10 = t124 + t129;
-    const double t143 = 1.0 / stretch_36;
-    const double stretch_36_by_q10 = (gap_x_36 * gap_x_36_by_q10 - gap_y_36 * gap_y_36_by_q10)
-        * t143;
-    const double t144 = stretch_32_by_q10 * error_32 + stretch_34_by_q10 * error_34
-        - stretch_36_by_q10 * error_36;
-    const double gap_x_38_by_q10 = t130 + t137;
-    const double gap_y_38_by_q10 = t124 - t136;
-    const double t145 = 1.0 / stretch_38;
-    const double stretch_38_by_q10 = (gap_x_38 * gap_x_38_by_q10 - gap_y_38 * gap_y_38_by_q10)
-        * t145;
-    const double gradient_0_8 = t144 - stretch_38_by_q10 * error_38;
-    const double kept_58 = sinew_choose(better_6, -gradient_0_8, kept_40);
-    const double t146 = along_32 * gap_z_32;
-    const double gap_x_32_by_q11 = cos_q10_8 * up_32;
-    const double gap_y_32_by_q11 = sin_q10_8 * up_32;
-    const double stretch_32_by_q11 = (t146 - gap_x_32 * gap_x_32_by_q11 - gap_y_32
-        * gap_y_32_by_q11) * t141;
-    const double t147 = along_34 * gap_z_34;
-    const double gap_x_34_by_q11 = cos_q10_8 * up_34;
-    const double gap_y_34_by_q11 = sin_q10_8 * up_34;
-    const double stretch_34_by_q11 = (t147 + gap_x_34 * gap_x_34_by_q11 + gap_y_34
-        * gap_y_34_by_q11) * t142;
-    const double t148 = stretch_32_by_q11 * stretch_32_by_q11 + stretch_34_by_q11
-        * stretch_34_by_q11;
-    const double stretch_36_by_q11 = (t146 - gap_x_36 * gap_x_32_by_q11 + gap_y_36
-        * gap_y_32_by_q11) * t143;
-    const double stretch_38_by_q11 = (t147 + gap_x_38 * gap_x_34_by_q11 - gap_y_38
-        * gap_y_34_by_q11) * t145;
-    const double H_11_8 = t148 + stretch_36_by_q11 * stretch_36_by_q11 + stretch_38_by_q11
-        * stretch_38_by_q11;
-    const double kept_68 = sinew_choose(better_6, H_11_8, kept_50);
-    const double t149 = stretch_32_by_q11 * error_32 + stretch_34_by_q11 * error_34
-        + stretch_36_by_q11 * error_36;
-    const double gradient_1_8 = t149 + stretch_38_by_q11 * error_38;
-    const double kept_60 = sinew_choose(better_6, -gradient_1_8, kept_42);
-    const double t150 = stretch_32_by_q10 * stretch_32_by_q11 + stretch_34_by_q10
-        * stretch_34_by_q11;
-    const double H_01_8 = t150 - stretch_36_by_q10 * stretch_36_by_q11 - stretch_38_by_q10
-        * stretch_38_by_q11;
-    const double kept_66 = sinew_choose(better_6, H_01_8, kept_48);
-    const double t151 = stretch_32_by_q10 * stretch_32_by_q10 + stretch_34_by_q10
-        * stretch_34_by_q10;
-    const double H_00_8 = t151 + stretch_36_by_q10 * stretch_36_by_q10 + stretch_38_by_q10
-        * stretch_38_by_q10;
-    const double kept_64 = sinew_choose(better_6, H_00_8, kept_46);
+    double part_1_5[10];
+    thumb_table_5_2_part_1(h, q10_6, q11_6, part_1_5);
+    const double better_6 = sinew_choose(better_4, cost_6, kept_26) - 0.5 * part_1_5[4];
+    const double kept_58 = sinew_choose(better_6, -part_1_5[7], kept_40);
+    const double kept_68 = sinew_choose(better_6, part_1_5[8], kept_50);
+    const double kept_60 = sinew_choose(better_6, -part_1_5[5], kept_42);
+    const double kept_66 = sinew_choose(better_6, part_1_5[6], kept_48);
+    const double kept_64 = sinew_choose(better_6, part_1_5[9], kept_46);
     const double safe_8 = sinew_max(kept_64 * kept_68 - kept_66 * kept_66, 1e-24 + 1e-09 * kept_64
         * kept_68);
-    const double t152 = 1.0 / safe_8;
-    const double step_16 = sinew_min(sinew_max(-((kept_58 * kept_68 - kept_60 * kept_66) * t152),
+    const double t8 = 1.0 / safe_8;
+    const double step_16 = sinew_min(sinew_max(-((kept_58 * kept_68 - kept_60 * kept_66) * t8),
         -0.5), 0.5);
-    const double step_18 = sinew_min(sinew_max((kept_58 * kept_66 - kept_60 * kept_64) * t152,
-        -0.5), 0.5);
+    const double step_18 = sinew_min(sinew_max((kept_58 * kept_66 - kept_60 * kept_64) * t8, -0.5),
+        0.5);
     const double correction_2 = sinew_sqrt(step_16 * step_16 + step_18 * step_18);
-    q[0] = kept_54;
-    q[1] = kept_56;
+    q[0] = sinew_choose(better_6, q10_6, kept_36);
+    q[1] = sinew_choose(better_6, q11_6, kept_38);
     correction[0] = correction_2;
     *status = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
 }
@@ -1793,213 +1296,36 @@ void thumb_table_5_2_link_position_warm(const double h[SINEW_AT_LEAST(4)],
 {
     const double start_q10 = sinew_min(sinew_max(q_start[0], -1.5), 1.5);
     const double start_q11 = sinew_min(sinew_max(q_start[1], -1.5), 1.5);
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(start_q10, start_q11);
-    const double sin_q10 = sines1.s[0];
-    const double cos_q10 = sines1.c[0];
-    const double sin_q11 = sines1.s[1];
-    const double cos_q11 = sines1.c[1];
-    const double t2 = 0.025 * sin_q11;
-    const double t3 = 0.047 * cos_q11;
-    const double along = t2 + t3;
-    const double t4 = cos_q10 * along;
-    const double t5 = 0.03 * sin_q10;
-    const double t6 = 0.002 + t5;
-    const double gap_x = t6 - t4;
-    const double t7 = sin_q10 * along;
-    const double t8 = 0.03 * cos_q10;
-    const double t9 = 0.03 - t8;
-    const double gap_y = t9 - t7;
-    const double t10 = 0.025 * cos_q11;
-    const double t11 = 0.047 * sin_q11;
-    const double up = t10 - t11;
-    const double gap_z = 0.025 - up;
-    const double t12 = gap_z * gap_z;
-    const double stretch = sinew_sqrt(gap_x * gap_x + gap_y * gap_y + t12);
-    const double t13 = 1.0 / stretch;
-    const double gap_x_by_q11 = cos_q10 * up;
-    const double t14 = along * gap_z;
-    const double gap_y_by_q11 = sin_q10 * up;
-    const double stretch_by_q11 = (t14 - gap_x * gap_x_by_q11 - gap_y * gap_y_by_q11) * t13;
-    const double along_2 = t2 - t3;
-    const double t15 = cos_q10 * along_2;
-    const double gap_x_2 = t6 + t15;
-    const double t16 = sin_q10 * along_2;
-    const double gap_y_2 = t9 + t16;
-    const double up_2 = t10 + t11;
-    const double gap_z_2 = 0.025 - up_2;
-    const double t17 = gap_z_2 * gap_z_2;
-    const double stretch_2 = sinew_sqrt(gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + t17);
-    const double t18 = 1.0 / stretch_2;
-    const double gap_x_2_by_q11 = cos_q10 * up_2;
-    const double t19 = along_2 * gap_z_2;
-    const double gap_y_2_by_q11 = sin_q10 * up_2;
-    const double stretch_2_by_q11 = (t19 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
-        * t18;
-    const double t20 = 0.002 - t5;
-    const double gap_x_4 = t20 - t4;
-    const double gap_y_4 = t9 + t7;
-    const double stretch_4 = sinew_sqrt(t12 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
-    const double t21 = 1.0 / stretch_4;
-    const double stretch_4_by_q11 = (t14 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t21;
-    const double t22 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11
-        + stretch_4_by_q11 * stretch_4_by_q11;
-    const double gap_x_6 = t20 + t15;
-    const double gap_y_6 = t9 - t16;
-    const double stretch_6 = sinew_sqrt(t17 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
-    const double t23 = 1.0 / stretch_6;
-    const double stretch_6_by_q11 = (t19 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
-        * t23;
-    const double H_11 = t22 + stretch_6_by_q11 * stretch_6_by_q11;
-    const double d = 1.0001 * H_11;
-    const double gap_x_by_q10 = t8 + t7;
-    const double gap_y_by_q10 = t5 - t4;
-    const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t13;
-    const double gap_x_2_by_q10 = t8 - t16;
-    const double gap_y_2_by_q10 = t5 + t15;
-    const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t18;
-    const double gap_x_4_by_q10 = t8 - t7;
-    const double gap_y_4_by_q10 = t5 + t4;
-    const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t21;
-    const double t24 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
-        + stretch_4_by_q10 * stretch_4_by_q10;
-    const double gap_x_6_by_q10 = t8 + t16;
-    const double gap_y_6_by_q10 = t5 - t15;
-    const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t23;
-    const double H_00 = t24 + stretch_6_by_q10 * stretch_6_by_q10;
-    const double a = 1.0001 * H_00;
-    const double t25 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
-        - stretch_4_by_q10 * stretch_4_by_q11;
-    const double H_01 = t25 - stretch_6_by_q10 * stretch_6_by_q11;
-    const double safe = sinew_max(a * d - H_01 * H_01, 1e-24 + 1e-09 * a * d);
-    const double t26 = 1.0 / safe;
-    const double error = h[0] - stretch;
-    const double error_2 = h[1] - stretch_2;
-    const double error_4 = h[2] - stretch_4;
-    const double t27 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
-        * error_4;
-    const double error_6 = h[3] - stretch_6;
-    const double gradient_1 = t27 + stretch_6_by_q11 * error_6;
-    const double t28 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
-        * error_4;
-    const double gradient_0 = t28 - stretch_6_by_q10 * error_6;
-    const double step_2 = sinew_min(sinew_max(-((H_01 * gradient_0 - gradient_1 * a) * t26), -0.5),
-        0.5);
+    double part_1[10];
+    thumb_table_5_2_part_1(h, start_q10, start_q11, part_1);
+    const double d = 1.0001 * part_1[8];
+    const double a = 1.0001 * part_1[9];
+    const double safe = sinew_max(a * d - part_1[6] * part_1[6], 1e-24 + 1e-09 * a * d);
+    const double t1 = 1.0 / safe;
+    const double step_2 = sinew_min(sinew_max(-((part_1[6] * part_1[7] - part_1[5] * a) * t1),
+        -0.5), 0.5);
     const double q11 = start_q11 + step_2;
-    const struct sinew_sines sines29 = sinew_one_sincos(q11);
-    const double sin_q11_2 = sines29.s[0];
-    const double cos_q11_2 = sines29.c[0];
-    const double t30 = 0.025 * sin_q11_2;
-    const double t31 = 0.047 * cos_q11_2;
-    const double along_8 = t30 + t31;
-    const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - gradient_0 * d) * t26), -0.5),
+    const double step = sinew_min(sinew_max(-((part_1[6] * part_1[5] - part_1[7] * d) * t1), -0.5),
         0.5);
     const double q10 = start_q10 + step;
-    const struct sinew_sines sines32 = sinew_one_sincos(q10);
-    const double sin_q10_2 = sines32.s[0];
-    const double cos_q10_2 = sines32.c[0];
-    const double t33 = cos_q10_2 * along_8;
-    const double t34 = 0.03 * sin_q10_2;
-    const double t35 = 0.002 + t34;
-    const double gap_x_8 = t35 - t33;
-    const double t36 = sin_q10_2 * along_8;
-    const double t37 = 0.03 * cos_q10_2;
-    const double t38 = 0.03 - t37;
-    const double gap_y_8 = t38 - t36;
-    const double t39 = 0.025 * cos_q11_2;
-    const double t40 = 0.047 * sin_q11_2;
-    const double up_8 = t39 - t40;
-    const double gap_z_8 = 0.025 - up_8;
-    const double t41 = gap_z_8 * gap_z_8;
-    const double stretch_8 = sinew_sqrt(gap_x_8 * gap_x_8 + gap_y_8 * gap_y_8 + t41);
-    const double error_8 = h[0] - stretch_8;
-    const double t42 = error * error + error_2 * error_2 + error_4 * error_4 + error_6 * error_6;
-    const double along_10 = t30 - t31;
-    const double t43 = cos_q10_2 * along_10;
-    const double gap_x_10 = t35 + t43;
-    const double t44 = sin_q10_2 * along_10;
-    const double gap_y_10 = t38 + t44;
-    const double up_10 = t39 + t40;
-    const double gap_z_10 = 0.025 - up_10;
-    const double t45 = gap_z_10 * gap_z_10;
-    const double stretch_10 = sinew_sqrt(gap_x_10 * gap_x_10 + gap_y_10 * gap_y_10 + t45);
-    const double error_10 = h[1] - stretch_10;
-    const double t46 = 0.002 - t34;
-    const double gap_x_12 = t46 - t33;
-    const double gap_y_12 = t38 + t36;
-    const double stretch_12 = sinew_sqrt(t41 + gap_x_12 * gap_x_12 + gap_y_12 * gap_y_12);
-    const double error_12 = h[2] - stretch_12;
-    const double gap_x_14 = t46 + t43;
-    const double gap_y_14 = t38 - t44;
-    const double stretch_14 = sinew_sqrt(t45 + gap_x_14 * gap_x_14 + gap_y_14 * gap_y_14);
-    const double error_14 = h[3] - stretch_14;
-    const double t47 = t42 - error_8 * error_8 - error_10 * error_10 - error_12 * error_12
-        - error_14 * error_14;
-    const double better = 0.5 * t47;
-    const double kept = sinew_choose(better, q10, start_q10);
-    const double kept_2 = sinew_choose(better, q11, start_q11);
-    const double t48 = 1.0 / stretch_8;
-    const double gap_x_8_by_q10 = t37 + t36;
-    const double gap_y_8_by_q10 = t34 - t33;
-    const double stretch_8_by_q10 = (gap_x_8 * gap_x_8_by_q10 + gap_y_8 * gap_y_8_by_q10) * t48;
-    const double t49 = 1.0 / stretch_10;
-    const double gap_x_10_by_q10 = t37 - t44;
-    const double gap_y_10_by_q10 = t34 + t43;
-    const double stretch_10_by_q10 = (gap_x_10 * gap_x_10_by_q10 + gap_y_10 * gap_y_10_by_q10)
-        * t49;
-    const double t50 = 1.0 / stretch_12;
-    const double gap_x_12_by_q10 = t37 - t36;
-    const double gap_y_12_by_q10 = t34 + t33;
-    const double stretch_12_by_q10 = (gap_x_12 * gap_x_12_by_q10 - gap_y_12 * gap_y_12_by_q10)
-        * t50;
-    const double t51 = stretch_8_by_q10 * error_8 + stretch_10_by_q10 * error_10 - stretch_12_by_q10
-        * error_12;
-    const double t52 = 1.0 / stretch_14;
-    const double gap_x_14_by_q10 = t37 + t44;
-    const double gap_y_14_by_q10 = t34 - t43;
-    const double stretch_14_by_q10 = (gap_x_14 * gap_x_14_by_q10 - gap_y_14 * gap_y_14_by_q10)
-        * t52;
-    const double gradient_0_2 = t51 - stretch_14_by_q10 * error_14;
-    const double kept_4 = sinew_choose(better, -gradient_0_2, -gradient_0);
-    const double gap_x_8_by_q11 = cos_q10_2 * up_8;
-    const double t53 = along_8 * gap_z_8;
-    const double gap_y_8_by_q11 = sin_q10_2 * up_8;
-    const double stretch_8_by_q11 = (t53 - gap_x_8 * gap_x_8_by_q11 - gap_y_8 * gap_y_8_by_q11)
-        * t48;
-    const double gap_x_10_by_q11 = cos_q10_2 * up_10;
-    const double t54 = along_10 * gap_z_10;
-    const double gap_y_10_by_q11 = sin_q10_2 * up_10;
-    const double stretch_10_by_q11 = (t54 + gap_x_10 * gap_x_10_by_q11 + gap_y_10 * gap_y_10_by_q11)
-        * t49;
-    const double t55 = stretch_8_by_q11 * stretch_8_by_q11 + stretch_10_by_q11 * stretch_10_by_q11;
-    const double stretch_12_by_q11 = (t53 - gap_x_12 * gap_x_8_by_q11 + gap_y_12 * gap_y_8_by_q11)
-        * t50;
-    const double stretch_14_by_q11 = (t54 + gap_x_14 * gap_x_10_by_q11 - gap_y_14 * gap_y_10_by_q11)
-        * t52;
-    const double H_11_2 = t55 + stretch_12_by_q11 * stretch_12_by_q11 + stretch_14_by_q11
-        * stretch_14_by_q11;
-    const double kept_14 = sinew_choose(better, H_11_2, H_11);
-    const double t56 = stretch_8_by_q11 * error_8 + stretch_10_by_q11 * error_10 + stretch_12_by_q11
-        * error_12;
-    const double gradient_1_2 = t56 + stretch_14_by_q11 * error_14;
-    const double kept_6 = sinew_choose(better, -gradient_1_2, -gradient_1);
-    const double t57 = stretch_8_by_q10 * stretch_8_by_q11 + stretch_10_by_q10 * stretch_10_by_q11;
-    const double H_01_2 = t57 - stretch_12_by_q10 * stretch_12_by_q11 - stretch_14_by_q10
-        * stretch_14_by_q11;
-    const double kept_12 = sinew_choose(better, H_01_2, H_01);
-    const double t58 = stretch_8_by_q10 * stretch_8_by_q10 + stretch_10_by_q10 * stretch_10_by_q10;
-    const double H_00_2 = t58 + stretch_12_by_q10 * stretch_12_by_q10 + stretch_14_by_q10
-        * stretch_14_by_q10;
-    const double kept_10 = sinew_choose(better, H_00_2, H_00);
+    double part_1_2[10];
+    thumb_table_5_2_part_1(h, q10, q11, part_1_2);
+    const double better = 0.5 * (part_1[4] - part_1_2[2] - part_1_2[3] - part_1_2[1] - part_1_2[0]);
+    const double kept_4 = sinew_choose(better, -part_1_2[7], -part_1[7]);
+    const double kept_14 = sinew_choose(better, part_1_2[8], part_1[8]);
+    const double kept_6 = sinew_choose(better, -part_1_2[5], -part_1[5]);
+    const double kept_12 = sinew_choose(better, part_1_2[6], part_1[6]);
+    const double kept_10 = sinew_choose(better, part_1_2[9], part_1[9]);
     const double safe_2 = sinew_max(kept_10 * kept_14 - kept_12 * kept_12, 1e-24 + 1e-09 * kept_10
         * kept_14);
-    const double t59 = 1.0 / safe_2;
-    const double step_4 = sinew_min(sinew_max(-((kept_4 * kept_14 - kept_6 * kept_12) * t59), -0.5),
+    const double t2 = 1.0 / safe_2;
+    const double step_4 = sinew_min(sinew_max(-((kept_4 * kept_14 - kept_6 * kept_12) * t2), -0.5),
         0.5);
-    const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * kept_10) * t59, -0.5),
+    const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * kept_10) * t2, -0.5),
         0.5);
     const double correction_2 = sinew_sqrt(step_4 * step_4 + step_6 * step_6);
-    q[0] = kept;
-    q[1] = kept_2;
+    q[0] = sinew_choose(better, q10, start_q10);
+    q[1] = sinew_choose(better, q11, start_q11);
     correction[0] = correction_2;
     *status = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
 }
@@ -2013,197 +1339,34 @@ void thumb_table_5_2_link_position_gradient_step(const double h[SINEW_AT_LEAST(4
     const double step_2 = sinew_min(sinew_max(-(search[3] * search[4]), -0.5), 0.5);
     const double start_q11 = sinew_min(sinew_max(search[1], -1.5), 1.5);
     const double q11 = start_q11 + step_2;
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(q10, q11);
-    const double sin_q10 = sines1.s[0];
-    const double cos_q10 = sines1.c[0];
-    const double sin_q11 = sines1.s[1];
-    const double cos_q11 = sines1.c[1];
-    const double t2 = 0.025 * sin_q11;
-    const double t3 = 0.047 * cos_q11;
-    const double along = t2 + t3;
-    const double t4 = cos_q10 * along;
-    const double t5 = 0.03 * sin_q10;
-    const double t6 = 0.002 + t5;
-    const double gap_x = t6 - t4;
-    const double t7 = sin_q10 * along;
-    const double t8 = 0.03 * cos_q10;
-    const double t9 = 0.03 - t8;
-    const double gap_y = t9 - t7;
-    const double t10 = 0.025 * cos_q11;
-    const double t11 = 0.047 * sin_q11;
-    const double up = t10 - t11;
-    const double gap_z = 0.025 - up;
-    const double t12 = gap_z * gap_z;
-    const double stretch = sinew_sqrt(gap_x * gap_x + gap_y * gap_y + t12);
-    const double error = h[0] - stretch;
-    const double along_2 = t2 - t3;
-    const double t13 = cos_q10 * along_2;
-    const double gap_x_2 = t6 + t13;
-    const double t14 = sin_q10 * along_2;
-    const double gap_y_2 = t9 + t14;
-    const double up_2 = t10 + t11;
-    const double gap_z_2 = 0.025 - up_2;
-    const double t15 = gap_z_2 * gap_z_2;
-    const double stretch_2 = sinew_sqrt(gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + t15);
-    const double error_2 = h[1] - stretch_2;
-    const double t16 = 0.002 - t5;
-    const double gap_x_4 = t16 - t4;
-    const double gap_y_4 = t9 + t7;
-    const double stretch_4 = sinew_sqrt(t12 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
-    const double error_4 = h[2] - stretch_4;
-    const double gap_x_6 = t16 + t13;
-    const double gap_y_6 = t9 - t14;
-    const double stretch_6 = sinew_sqrt(t15 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
-    const double error_6 = h[3] - stretch_6;
-    const double t17 = error * error + error_2 * error_2 + error_4 * error_4 + error_6 * error_6;
-    const double cost = 0.5 * t17;
+    double part_1[10];
+    thumb_table_5_2_part_1(h, q10, q11, part_1);
+    const double cost = 0.5 * part_1[4];
     const double better = search[5] - cost;
-    const double kept = sinew_choose(better, q10, start_q10);
-    const double kept_2 = sinew_choose(better, q11, start_q11);
-    const double t18 = 1.0 / stretch;
-    const double gap_x_by_q10 = t8 + t7;
-    const double gap_y_by_q10 = t5 - t4;
-    const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t18;
-    const double t19 = 1.0 / stretch_2;
-    const double gap_x_2_by_q10 = t8 - t14;
-    const double gap_y_2_by_q10 = t5 + t13;
-    const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t19;
-    const double t20 = 1.0 / stretch_4;
-    const double gap_x_4_by_q10 = t8 - t7;
-    const double gap_y_4_by_q10 = t5 + t4;
-    const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t20;
-    const double t21 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
-        * error_4;
-    const double t22 = 1.0 / stretch_6;
-    const double gap_x_6_by_q10 = t8 + t14;
-    const double gap_y_6_by_q10 = t5 - t13;
-    const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t22;
-    const double gradient_0 = t21 - stretch_6_by_q10 * error_6;
-    const double kept_4 = sinew_choose(better, -gradient_0, search[2]);
-    const double gap_x_by_q11 = cos_q10 * up;
-    const double t23 = along * gap_z;
-    const double gap_y_by_q11 = sin_q10 * up;
-    const double stretch_by_q11 = (t23 - gap_x * gap_x_by_q11 - gap_y * gap_y_by_q11) * t18;
-    const double gap_x_2_by_q11 = cos_q10 * up_2;
-    const double t24 = along_2 * gap_z_2;
-    const double gap_y_2_by_q11 = sin_q10 * up_2;
-    const double stretch_2_by_q11 = (t24 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
-        * t19;
-    const double stretch_4_by_q11 = (t23 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t20;
-    const double t25 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
-        * error_4;
-    const double stretch_6_by_q11 = (t24 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
-        * t22;
-    const double gradient_1 = t25 + stretch_6_by_q11 * error_6;
-    const double kept_6 = sinew_choose(better, -gradient_1, search[3]);
+    const double kept_4 = sinew_choose(better, -part_1[7], search[2]);
+    const double kept_6 = sinew_choose(better, -part_1[5], search[3]);
     const double kept_8 = sinew_choose(better, search[4], 0.5 * search[4]);
-    const double kept_10 = sinew_choose(better, cost, search[5]);
-    next[0] = kept;
-    next[1] = kept_2;
+    next[0] = sinew_choose(better, q10, start_q10);
+    next[1] = sinew_choose(better, q11, start_q11);
     next[2] = kept_4;
     next[3] = kept_6;
     next[4] = kept_8;
-    next[5] = kept_10;
+    next[5] = sinew_choose(better, cost, search[5]);
 }
 
 void thumb_table_5_2_link_position_status(const double h[SINEW_AT_LEAST(4)],
     const double q[SINEW_AT_LEAST(2)], double correction[SINEW_AT_LEAST(1)], int *status)
 {
-    const double start_q10 = sinew_min(sinew_max(q[0], -1.5), 1.5);
-    const double start_q11 = sinew_min(sinew_max(q[1], -1.5), 1.5);
-    const struct sinew_sines2 sines1 = sinew_one_sincos2(start_q10, start_q11);
-    const double sin_q10 = sines1.s[0];
-    const double cos_q10 = sines1.c[0];
-    const double sin_q11 = sines1.s[1];
-    const double cos_q11 = sines1.c[1];
-    const double t2 = 0.025 * sin_q11;
-    const double t3 = 0.047 * cos_q11;
-    const double along = t2 + t3;
-    const double t4 = cos_q10 * along;
-    const double t5 = 0.03 * sin_q10;
-    const double t6 = 0.002 + t5;
-    const double gap_x = t6 - t4;
-    const double t7 = sin_q10 * along;
-    const double t8 = 0.03 * cos_q10;
-    const double t9 = 0.03 - t8;
-    const double gap_y = t9 - t7;
-    const double t10 = 0.025 * cos_q11;
-    const double t11 = 0.047 * sin_q11;
-    const double up = t10 - t11;
-    const double gap_z = 0.025 - up;
-    const double t12 = gap_z * gap_z;
-    const double stretch = sinew_sqrt(gap_x * gap_x + gap_y * gap_y + t12);
-    const double t13 = 1.0 / stretch;
-    const double gap_x_by_q11 = cos_q10 * up;
-    const double t14 = along * gap_z;
-    const double gap_y_by_q11 = sin_q10 * up;
-    const double stretch_by_q11 = (t14 - gap_x * gap_x_by_q11 - gap_y * gap_y_by_q11) * t13;
-    const double along_2 = t2 - t3;
-    const double t15 = cos_q10 * along_2;
-    const double gap_x_2 = t6 + t15;
-    const double t16 = sin_q10 * along_2;
-    const double gap_y_2 = t9 + t16;
-    const double up_2 = t10 + t11;
-    const double gap_z_2 = 0.025 - up_2;
-    const double t17 = gap_z_2 * gap_z_2;
-    const double stretch_2 = sinew_sqrt(gap_x_2 * gap_x_2 + gap_y_2 * gap_y_2 + t17);
-    const double t18 = 1.0 / stretch_2;
-    const double gap_x_2_by_q11 = cos_q10 * up_2;
-    const double t19 = along_2 * gap_z_2;
-    const double gap_y_2_by_q11 = sin_q10 * up_2;
-    const double stretch_2_by_q11 = (t19 + gap_x_2 * gap_x_2_by_q11 + gap_y_2 * gap_y_2_by_q11)
-        * t18;
-    const double t20 = 0.002 - t5;
-    const double gap_x_4 = t20 - t4;
-    const double gap_y_4 = t9 + t7;
-    const double stretch_4 = sinew_sqrt(t12 + gap_x_4 * gap_x_4 + gap_y_4 * gap_y_4);
-    const double t21 = 1.0 / stretch_4;
-    const double stretch_4_by_q11 = (t14 - gap_x_4 * gap_x_by_q11 + gap_y_4 * gap_y_by_q11) * t21;
-    const double t22 = stretch_by_q11 * stretch_by_q11 + stretch_2_by_q11 * stretch_2_by_q11
-        + stretch_4_by_q11 * stretch_4_by_q11;
-    const double gap_x_6 = t20 + t15;
-    const double gap_y_6 = t9 - t16;
-    const double stretch_6 = sinew_sqrt(t17 + gap_x_6 * gap_x_6 + gap_y_6 * gap_y_6);
-    const double t23 = 1.0 / stretch_6;
-    const double stretch_6_by_q11 = (t19 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
-        * t23;
-    const double H_11 = t22 + stretch_6_by_q11 * stretch_6_by_q11;
-    const double gap_x_by_q10 = t8 + t7;
-    const double gap_y_by_q10 = t5 - t4;
-    const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t13;
-    const double gap_x_2_by_q10 = t8 - t16;
-    const double gap_y_2_by_q10 = t5 + t15;
-    const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t18;
-    const double gap_x_4_by_q10 = t8 - t7;
-    const double gap_y_4_by_q10 = t5 + t4;
-    const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t21;
-    const double t24 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
-        + stretch_4_by_q10 * stretch_4_by_q10;
-    const double gap_x_6_by_q10 = t8 + t16;
-    const double gap_y_6_by_q10 = t5 - t15;
-    const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t23;
-    const double H_00 = t24 + stretch_6_by_q10 * stretch_6_by_q10;
-    const double t25 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
-        - stretch_4_by_q10 * stretch_4_by_q11;
-    const double H_01 = t25 - stretch_6_by_q10 * stretch_6_by_q11;
-    const double determinant = H_00 * H_11 - H_01 * H_01;
-    const double determinant_floor = 1e-24 + 1e-09 * H_00 * H_11;
-    const double safe = sinew_max(determinant, determinant_floor);
-    const double t26 = 1.0 / safe;
-    const double error = h[0] - stretch;
-    const double error_2 = h[1] - stretch_2;
-    const double error_4 = h[2] - stretch_4;
-    const double t27 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
-        * error_4;
-    const double error_6 = h[3] - stretch_6;
-    const double gradient_1 = t27 + stretch_6_by_q11 * error_6;
-    const double t28 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
-        * error_4;
-    const double gradient_0 = t28 - stretch_6_by_q10 * error_6;
-    const double step = sinew_min(sinew_max(-((H_01 * gradient_1 - H_11 * gradient_0) * t26), -0.5),
-        0.5);
-    const double step_2 = sinew_min(sinew_max((H_00 * gradient_1 - H_01 * gradient_0) * t26, -0.5),
-        0.5);
+    double part_1[10];
+    thumb_table_5_2_part_1(h, sinew_min(sinew_max(q[0], -1.5), 1.5), sinew_min(sinew_max(q[1],
+        -1.5), 1.5), part_1);
+    const double determinant = part_1[9] * part_1[8] - part_1[6] * part_1[6];
+    const double safe = sinew_max(determinant, 1e-24 + 1e-09 * part_1[9] * part_1[8]);
+    const double t1 = 1.0 / safe;
+    const double step = sinew_min(sinew_max(-((part_1[6] * part_1[5] - part_1[8] * part_1[7]) * t1),
+        -0.5), 0.5);
+    const double step_2 = sinew_min(sinew_max((part_1[9] * part_1[5] - part_1[6] * part_1[7]) * t1,
+        -0.5), 0.5);
     const double correction_2 = sinew_sqrt(step * step + step_2 * step_2);
     correction[0] = correction_2;
     *status = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
@@ -2269,20 +1432,12 @@ void thumb_table_5_2_link_position_covariance(const double q[SINEW_AT_LEAST(2)],
     const double stretch_6_by_q11 = (t19 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
         * t23;
     const double H_11 = t22 + stretch_6_by_q11 * stretch_6_by_q11;
-    const double gap_x_by_q10 = t8 + t7;
-    const double gap_y_by_q10 = t5 - t4;
-    const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t13;
-    const double gap_x_2_by_q10 = t8 - t16;
-    const double gap_y_2_by_q10 = t5 + t15;
-    const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t18;
-    const double gap_x_4_by_q10 = t8 - t7;
-    const double gap_y_4_by_q10 = t5 + t4;
-    const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t21;
+    const double stretch_by_q10 = (gap_x * (t8 + t7) + gap_y * (t5 - t4)) * t13;
+    const double stretch_2_by_q10 = (gap_x_2 * (t8 - t16) + gap_y_2 * (t5 + t15)) * t18;
+    const double stretch_4_by_q10 = (gap_x_4 * (t8 - t7) - gap_y_4 * (t5 + t4)) * t21;
     const double t24 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
         + stretch_4_by_q10 * stretch_4_by_q10;
-    const double gap_x_6_by_q10 = t8 + t16;
-    const double gap_y_6_by_q10 = t5 - t15;
-    const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t23;
+    const double stretch_6_by_q10 = (gap_x_6 * (t8 + t16) - gap_y_6 * (t5 - t15)) * t23;
     const double H_00 = t24 + stretch_6_by_q10 * stretch_6_by_q10;
     const double t25 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
         - stretch_4_by_q10 * stretch_4_by_q11;
@@ -2291,8 +1446,7 @@ void thumb_table_5_2_link_position_covariance(const double q[SINEW_AT_LEAST(2)],
     const double determinant_floor = 1e-24 + 1e-09 * H_00 * H_11;
     const double deviation = sinew_min(sinew_max(sigma, 0.0), 1.0);
     const double scale = deviation * deviation / sinew_max(determinant, determinant_floor);
-    const double mixed = H_01 * scale;
-    const double t26 = -mixed;
+    const double t26 = -(H_01 * scale);
     covariance[0] = H_11 * scale;
     covariance[1] = t26;
     covariance[2] = t26;
@@ -2335,8 +1489,7 @@ void thumb_table_5_2_bending_angles(const double q[SINEW_AT_LEAST(4)],
     const double A_stretch_dy = t11 - t12;
     const double A_stretch_end_dz = t8 + R21y * A_stretch_dx + R22y * A_stretch_dy;
     const double A_stretch_end_asidey = 0.045 * A_stretch_end_dz;
-    const double A_stretch_end_dy = c1 * A_stretch_dy - s1 * A_stretch_dx;
-    const double A_stretch_end_asidez = 0.045 * A_stretch_end_dy;
+    const double A_stretch_end_asidez = 0.045 * (c1 * A_stretch_dy - s1 * A_stretch_dx);
     const double t13 = A_stretch_end_asidey * A_stretch_end_asidey + A_stretch_end_asidez
         * A_stretch_end_asidez;
     const double t14 = s2 * A_stretch_dz;
@@ -2354,8 +1507,7 @@ void thumb_table_5_2_bending_angles(const double q[SINEW_AT_LEAST(4)],
     const double B_stretch_dy = t19 - t12;
     const double B_stretch_end_dz = t18 - R21y * B_stretch_dx - R22y * B_stretch_dy;
     const double B_stretch_end_asidey = 0.045 * B_stretch_end_dz;
-    const double B_stretch_end_dy = c1 * B_stretch_dy - s1 * B_stretch_dx;
-    const double B_stretch_end_asidez = 0.045 * B_stretch_end_dy;
+    const double B_stretch_end_asidez = 0.045 * (c1 * B_stretch_dy - s1 * B_stretch_dx);
     const double t20 = B_stretch_end_asidey * B_stretch_end_asidey + B_stretch_end_asidez
         * B_stretch_end_asidez;
     const double t21 = s2 * B_stretch_dz;
@@ -2369,8 +1521,7 @@ void thumb_table_5_2_bending_angles(const double q[SINEW_AT_LEAST(4)],
     const double C_stretch_dy = t19 + t12;
     const double C_stretch_end_dz = t8 + R21y * C_stretch_dx - R22y * C_stretch_dy;
     const double C_stretch_end_asidey = 0.045 * C_stretch_end_dz;
-    const double C_stretch_end_dy = c1 * C_stretch_dy + s1 * C_stretch_dx;
-    const double C_stretch_end_asidez = 0.045 * C_stretch_end_dy;
+    const double C_stretch_end_asidez = 0.045 * (c1 * C_stretch_dy + s1 * C_stretch_dx);
     const double t24 = C_stretch_end_asidey * C_stretch_end_asidey + C_stretch_end_asidez
         * C_stretch_end_asidez;
     const double C_stretch_end_dx = t14 - R21x * C_stretch_dx + R22x * C_stretch_dy;
@@ -2381,8 +1532,7 @@ void thumb_table_5_2_bending_angles(const double q[SINEW_AT_LEAST(4)],
     const double D_stretch_dy = t11 + t12;
     const double D_stretch_end_dz = t18 - R21y * D_stretch_dx + R22y * D_stretch_dy;
     const double D_stretch_end_asidey = 0.045 * D_stretch_end_dz;
-    const double D_stretch_end_dy = c1 * D_stretch_dy + s1 * D_stretch_dx;
-    const double D_stretch_end_asidez = 0.045 * D_stretch_end_dy;
+    const double D_stretch_end_asidez = 0.045 * (c1 * D_stretch_dy + s1 * D_stretch_dx);
     const double t26 = D_stretch_end_asidey * D_stretch_end_asidey + D_stretch_end_asidez
         * D_stretch_end_asidez;
     const double D_stretch_end_dx = t21 + R21x * D_stretch_dx - R22x * D_stretch_dy;

@@ -11,12 +11,13 @@
 
 namespace sinew {
 
-/// A call at the start of a function's body.
+/// A call in a function's body.
 struct Call {
   std::string function;                ///< without the model's prefix
   std::vector<std::string> arguments;  ///< inputs of the caller by name, in the callee's order
   std::vector<Port> results;           ///< local arrays, in the callee's order
   bool gives_results = false;          ///< they are the caller's own results
+  bool is_part = false;                ///< of a part (find_parts.h), which gives one array
 };
 
 /// Elements of all arrays that the calls fill.
@@ -25,7 +26,9 @@ std::size_t array_elements(const std::vector<Call>& calls);
 /// A function as it is emitted: calls, and then what is left to compute.
 struct CallingFunction {
   std::vector<Call> calls;
-  /// The same signature, and after its inputs the arrays of the calls, in their order.
+  /// The same signature, and after its inputs the arrays of the calls, in their order. The values
+  /// of such an array are the numbers that its call is passed after the arrays: it stands where
+  /// they are known, or at the start of the body.
   Graph rest;
 };
 

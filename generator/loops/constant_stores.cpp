@@ -6,9 +6,11 @@
 namespace sinew {
 namespace {
 
-/// Fewer stores, or fewer rows, are not worth a loop's counter.
+/// Fewer stores, or fewer rows, are not worth a loop's counter; nor is a loop that saves fewer
+/// statements.
 constexpr int fewest_rows = 3;
-constexpr std::size_t fewest_columns = 4;
+constexpr std::size_t fewest_columns = 2;
+constexpr int fewest_saved = 8;
 
 /// The constants of a row that no loop stores, by column; no_value where there is none.
 std::vector<Value> constants_of_row(const Graph& graph, const Plan& plan, std::size_t port,
@@ -58,25 +60,46 @@ std::vector<Value> common(const std::vector<Value>& a, const std::vector<Value>&
   return both;
 }
 
+/// Rows one after the other with the same constants in some columns.
+struct ConstantRows {
+  int first = 0;
+  int count = 0;
+  std::vector<Value> constants;
+  int saved() const {
+    return (count - 1) * static_cast<int>(constants_in(constants)) - 2;  // its head and its end
+  }
+};
+
+/// Those that save most statements.
+ConstantRows most_constant_rows(const std::vector<std::vector<Value>>& rows) {
+  ConstantRows best;
+  for (std::size_t first = 0; first < rows.size(); ++first) {
+    ConstantRows now{static_cast<int>(first), 1, rows[first]};
+    for (std::size_t row = first + 1; row < rows.size(); ++row) {
+      now.constants = common(now.constants, rows[row]);
+      ++now.count;
+      if (constants_in(now.constants) < fewest_columns) break;
+      if (now.count >= fewest_rows && now.saved() > best.saved()) best = now;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<Loop> loops_of_constants(const Graph& graph, const Plan& plan) {
   std::vector<Loop> loops;
   for (std::size_t port = 0; port < graph.outputs.size(); ++port) {
-    const int rows = graph.outputs[port].rows;
-    for (int row = 0; row < rows;) {
-      std::vector<Value> shared = constants_of_row(graph, plan, port, row);
-      const std::size_t enough = std::max(fewest_columns, constants_in(shared) * 3 / 4);
-      int count = 1;
-      for (; row + count < rows; ++count) {
-        const std::vector<Value> both =
-            common(shared, constants_of_row(graph, plan, port, row + count));
-        if (constants_in(both) < enough) break;
-        shared = both;
-      }
-      if (count >= fewest_rows && constants_in(shared) >= fewest_columns)
-        loops.push_back(loop_over_rows(graph, port, row, count, shared));
-      row += count;
+    std::vector<std::vector<Value>> rows;
+    for (int row = 0; row < graph.outputs[port].rows; ++row)
+      rows.push_back(constants_of_row(graph, plan, port, row));
+    while (true) {
+      const ConstantRows most = most_constant_rows(rows);
+      if (most.saved() < fewest_saved) break;
+      loops.push_back(loop_over_rows(graph, port, most.first, most.count, most.constants));
+      for (int row = most.first; row < most.first + most.count; ++row)
+        for (std::size_t col = 0; col < most.constants.size(); ++col)
+          if (most.constants[col] != no_value) rows[static_cast<std::size_t>(row)][col] = no_value;
     }
   }
   return loops;

@@ -247,7 +247,7 @@ class Finder {
     const std::vector<bool> given = given_by(graph_, best_.loops);
     std::map<std::uint64_t, Column> families;
     for (const Step& step : best_.steps)
-      if (step.loop < 0 && arity(graph_[step.value].op) > 0 &&
+      if (step.value != no_value && arity(graph_[step.value].op) > 0 &&
           !given[static_cast<std::size_t>(step.value)] &&
           live_[static_cast<std::size_t>(step.value)] && !is_scaled(step.value))
         families[form(step.value)].push_back(step.value);

@@ -21,6 +21,8 @@ std::vector<bool> used_beside(const Graph& graph, const Plan& planned, const Loo
     }
   };
   for (const Loop& each : planned.loops) use(each);
+  for (const Port& port : graph.inputs)
+    for (Value v : port.values) used[static_cast<std::size_t>(v)] = true;
   use(loop);
   for (std::size_t p = 0; p < graph.outputs.size(); ++p)
     for (std::size_t i = 0; i < stored[p].size(); ++i)

@@ -22,6 +22,7 @@ class StepOrder {
         plan_(plan),
         state_(static_cast<std::size_t>(graph.size()), State::waiting),
         loop_state_(plan.loops.size(), State::waiting),
+        call_state_(graph.inputs.size(), State::waiting),
         given_by_(static_cast<std::size_t>(graph.size()), -1) {
     for (std::size_t k = 0; k < plan.loops.size(); ++k)
       for (const LoopResult& result : plan.loops[k].results)
@@ -62,9 +63,18 @@ class StepOrder {
     needed[static_cast<std::size_t>(v)] = true;
   }
 
+  /// What is passed to the call that an input element is from; once.
+  void use_call(int index, std::vector<bool>& needed) {
+    const std::size_t port = graph_.port_of_input(index);
+    if (!called_.insert(port).second) return;
+    for (Value v : graph_.inputs[port].values) use(v, 1, needed);
+  }
+
   void use_by_loop(const Loop& loop, std::vector<bool>& needed) {
-    for (const LoopLeaf& leaf : loop.leaves)
+    for (const LoopLeaf& leaf : loop.leaves) {
       for (Value v : leaf.reads()) use(v, 2, needed);
+      if (!leaf.inputs.empty()) use_call(leaf.inputs[0], needed);
+    }
     for (const LoopResult& result : loop.results)
       if (result.is_carried()) use(result.first, 1, needed);
   }
@@ -78,6 +88,7 @@ class StepOrder {
     for (Value v = graph_.size() - 1; v >= 0; --v) {
       if (!needed[static_cast<std::size_t>(v)] || given_by_[static_cast<std::size_t>(v)] >= 0)
         continue;
+      if (graph_[v].op == Op::input) use_call(graph_[v].index, needed);
       for (int i = 0; i < arity(graph_[v].op); ++i) use(graph_[v].operand(i), 1, needed);
     }
     return needed;
@@ -94,6 +105,7 @@ class StepOrder {
   void place(Value v) {
     if (!enter(state_[static_cast<std::size_t>(v)])) return;
     const int loop = given_by_[static_cast<std::size_t>(v)];
+    if (graph_[v].op == Op::input) place_call(graph_[v].index);
     if (loop >= 0)
       place_loop(loop);
     else
@@ -105,17 +117,29 @@ class StepOrder {
   void place_loop(int k) {
     State& state = loop_state_[static_cast<std::size_t>(k)];
     if (!enter(state)) return;
-    for (const LoopLeaf& leaf : plan_.loops[static_cast<std::size_t>(k)].leaves)
+    for (const LoopLeaf& leaf : plan_.loops[static_cast<std::size_t>(k)].leaves) {
       for (Value v : leaf.reads()) place(v);
+      if (!leaf.inputs.empty()) place_call(leaf.inputs[0]);
+    }
     for (const LoopResult& result : plan_.loops[static_cast<std::size_t>(k)].results)
       if (result.is_carried()) place(result.first);
     plan_.steps.push_back({no_value, k});
     state = State::done;
   }
 
+  /// The call that an input element is from, where it is passed numbers.
+  void place_call(int index) {
+    const std::size_t port = graph_.port_of_input(index);
+    if (graph_.inputs[port].values.empty() || !enter(call_state_[port])) return;
+    for (Value v : graph_.inputs[port].values) place(v);
+    plan_.steps.push_back({no_value, -1, static_cast<int>(port)});
+    call_state_[port] = State::done;
+  }
+
   const Graph& graph_;
   Plan& plan_;
-  std::vector<State> state_, loop_state_;
+  std::vector<State> state_, loop_state_, call_state_;
+  std::set<std::size_t> called_;  ///< input arrays whose calls are needed
   std::vector<int> given_by_;
 };
 
@@ -125,7 +149,16 @@ Plan straight_plan(const Graph& graph) {
   Plan plan;
   plan.uses = use_counts(graph);
   for (const Port& port : graph.outputs) plan.stored.emplace_back(port.values.size(), false);
-  for (Value v = 0; v < graph.size(); ++v) plan.steps.push_back({v, -1});
+  std::vector<bool> called(graph.inputs.size(), false);
+  for (Value v = 0; v < graph.size(); ++v) {
+    if (graph[v].op == Op::input) {
+      const std::size_t port = graph.port_of_input(graph[v].index);
+      if (!graph.inputs[port].values.empty() && !called[port])
+        plan.steps.push_back({no_value, -1, static_cast<int>(port)});
+      called[port] = true;
+    }
+    plan.steps.push_back({v, -1});
+  }
   return plan;
 }
 
@@ -167,16 +200,8 @@ int operation_count(const Graph& graph) {
   return count;
 }
 
-namespace {
-
-/// Instructions of an operation: in the code, and executed where it calls a function.
-struct Weight {
-  int written = 1;
-  int executed = 1;
-};
-
 /// Counted in the object code for the Cortex-A9; docs/performance.md has the comparison.
-Weight weight_of(Op op) {
+Weight instructions_of(Op op) {
   switch (op) {
     case Op::input:
     case Op::constant:
@@ -203,6 +228,8 @@ Weight weight_of(Op op) {
       return {1, 1};
   }
 }
+
+namespace {
 
 /// Products that are used once, by a sum: one instruction computes both, with two roundings.
 std::vector<bool> products_in_sums(const Graph& graph, const std::vector<int>& uses) {
@@ -283,8 +310,8 @@ PlanSize body_size(const Graph& body) {
   const std::vector<bool> in_sum = products_in_sums(body, use_counts(body));
   for (Value v = 0; v < body.size(); ++v) {
     if (in_sum[static_cast<std::size_t>(v)]) continue;
-    size.written += weight_of(body[v].op).written;
-    size.executed += weight_of(body[v].op).executed;
+    size.written += instructions_of(body[v].op).written;
+    size.executed += instructions_of(body[v].op).executed;
   }
   return size;
 }
@@ -311,11 +338,11 @@ PlanSize size_of(const Graph& graph, const Plan& plan) {
   PlanSize straight;
   const std::vector<bool> in_sum = products_in_sums(graph, plan.uses);
   for (const Step& step : plan.steps) {
-    if (step.loop >= 0 || given[static_cast<std::size_t>(step.value)]) continue;
+    if (step.value == no_value || given[static_cast<std::size_t>(step.value)]) continue;
     const Node& node = graph[step.value];
     const int constants = constant_operands(graph, node);
     const Weight weight =
-        in_sum[static_cast<std::size_t>(step.value)] ? Weight{0, 0} : weight_of(node.op);
+        in_sum[static_cast<std::size_t>(step.value)] ? Weight{0, 0} : instructions_of(node.op);
     straight.written += weight.written + 2 * constants;  // with the constant itself
     straight.executed += weight.executed + constants;
   }

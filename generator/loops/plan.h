@@ -58,10 +58,12 @@ struct Loop {
   std::vector<LoopResult> results;
 };
 
-/// A value to compute or, where `loop` is not -1, a loop to run.
+/// A value to compute or, where `loop` is not -1, a loop to run or, where `call` is not -1, the
+/// call that fills this input array.
 struct Step {
   Value value = no_value;
   int loop = -1;
+  int call = -1;
 };
 
 /// The statements of a function in order.
@@ -83,6 +85,13 @@ Plan with_fewest_waiting(const Graph& graph, const Plan& plan);
 
 /// Operations of the graph, inputs and constants left out.
 int operation_count(const Graph& graph);
+
+/// Instructions of an operation: in the code, and executed where it calls a function.
+struct Weight {
+  int written = 1;
+  int executed = 1;
+};
+Weight instructions_of(Op op);
 
 /// An estimate of the instructions that a plan writes, constants included, and executes.
 struct PlanSize {

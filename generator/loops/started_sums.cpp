@@ -44,8 +44,9 @@ Graph with_started_sums(const Graph& graph) {
     moved.push_back(started.add(node));
     started.set_label(moved.back(), graph.label(v));
   }
-  for (Port& port : started.outputs)
-    for (Value& v : port.values) v = moved[static_cast<std::size_t>(v)];
+  for (std::vector<Port>* ports : {&started.inputs, &started.outputs})
+    for (Port& port : *ports)
+      for (Value& v : port.values) v = moved[static_cast<std::size_t>(v)];
   return started;
 }
 

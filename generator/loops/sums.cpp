@@ -61,6 +61,8 @@ class SumFinder {
 std::vector<bool> live_values(const Graph& graph) {
   std::vector<bool> live(static_cast<std::size_t>(graph.size()), false);
   for (Value v : graph.results()) live[static_cast<std::size_t>(v)] = true;
+  for (const Port& port : graph.inputs)
+    for (Value v : port.values) live[static_cast<std::size_t>(v)] = true;
   for (Value v = graph.size() - 1; v >= 0; --v)
     for (int i = 0; live[static_cast<std::size_t>(v)] && i < arity(graph[v].op); ++i)
       live[static_cast<std::size_t>(graph[v].operand(i))] = true;

@@ -42,14 +42,6 @@ bool is_addition(const Node& node) {
   return node.op == Op::add || node.op == Op::subtract;
 }
 
-/// The operand that a constant multiplies; no_value for any other operation.
-Value scaled_operand(const Graph& graph, const Node& node) {
-  if (node.op == Op::negate) return node.a;
-  if (node.op != Op::multiply || graph.is_constant(node.a) == graph.is_constant(node.b))
-    return no_value;
-  return graph.is_constant(node.a) ? node.b : node.a;
-}
-
 /// The forms of an operation's operands, 0 where it has fewer.
 template <class FormsOf>
 std::array<std::uint64_t, 3> operand_forms(const Node& node, const FormsOf& forms) {
@@ -79,6 +71,13 @@ std::uint64_t form_of(const Graph& graph, const Node& node, const FormsOf& forms
 }
 
 }  // namespace
+
+Value scaled_operand(const Graph& graph, const Node& node) {
+  if (node.op == Op::negate) return node.a;
+  if (node.op != Op::multiply || graph.is_constant(node.a) == graph.is_constant(node.b))
+    return no_value;
+  return graph.is_constant(node.a) ? node.b : node.a;
+}
 
 Forms exact_forms_of(const Graph& graph, const KeptValues& kept) {
   Forms forms;

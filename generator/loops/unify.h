@@ -43,6 +43,9 @@ class FormsGiven {
   std::unordered_map<std::size_t, std::uint64_t> changed_;
 };
 
+/// The operand that a constant multiplies; no_value for any other operation.
+Value scaled_operand(const Graph& graph, const Node& node);
+
 /// Values that take the same place in all passes, by pass.
 using Column = std::vector<Value>;
 

@@ -249,10 +249,11 @@ TEST_CASE("derivations' names never meet C's words, the arguments or each other"
   Value sum = graph.input(0);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const Op op = i % 3 == 0 ? Op::square_root : i % 3 == 1 ? Op::sine : Op::arctangent;
-    sum = graph.make(op, graph.make(Op::add, sum, graph.input(1)));
+    const Value square = graph.make(Op::multiply, sum, sum);  // used twice it keeps its name
+    sum = graph.make(op, graph.make(Op::add, square, graph.input(1)));
     graph.set_label(sum, labels[i]);
   }
-  graph.outputs[0].values = {sum};
+  graph.outputs[0].values = {graph.make(Op::multiply, sum, sum)};
   for (Scalar scalar : {Scalar::binary64, Scalar::binary32}) {
     const reference::TemporaryFolder place;
     replace_folder(place.path() / "names",
@@ -263,6 +264,33 @@ TEST_CASE("derivations' names never meet C's words, the arguments or each other"
                            ? evaluate<double>(graph, {0.3, 0.4})[0]
                            : static_cast<double>(evaluate<float>(graph, {0.3f, 0.4f})[0])));
   }
+}
+
+// Planted: named steps kept whatever their length, and none of them, seen red here.
+TEST_CASE("a short step that is used once is written in place, whatever the derivation calls it") {
+  Graph graph;
+  graph.name = "steps";
+  graph.inputs = {{"elongation", 4, 1, "", "", std::vector<Range>(4, {0.1, 1.0}), {}}};
+  Value products = graph.input(0);
+  for (int i = 1; i < 4; ++i) products = graph.make(Op::multiply, products, graph.input(i));
+  graph.set_label(products, "product_of_all");
+  const Value gap = graph.make(Op::subtract, graph.input(0), graph.input(1));
+  graph.set_label(gap, "gap");
+  const Value slope = graph.make(Op::add, graph.input(2), graph.input(3));
+  graph.set_label(slope, "slope");
+  const Value ratio = graph.make(Op::divide, gap, slope);
+  graph.outputs = {{"r",
+                    3,
+                    1,
+                    "",
+                    "",
+                    {},
+                    {graph.make(Op::sine, ratio), graph.make(Op::subtract, slope, products),
+                     graph.make(Op::square_root, slope)}}};
+  const std::string c = emit_files({"short", "Short.", "0", {}, {graph}, {}}).at("short.c");
+  CHECK(c.find("double gap ") == std::string::npos);
+  CHECK(c.find("double slope = elongation[2] + elongation[3];") != std::string::npos);
+  CHECK(c.find("double product_of_all = ") != std::string::npos);
 }
 
 TEST_CASE("a description cannot leave its comment") {

@@ -9,6 +9,7 @@
 
 #include "generator/emit_c.h"
 #include "generator/evaluate.h"
+#include "generator/loops/constant_stores.h"
 #include "generator/loops/find_loops.h"
 #include "generator/loops/runs.h"
 #include "generator/loops/started_sums.h"
@@ -349,6 +350,35 @@ TEST_CASE("rows with the same constants are stored by a loop, the row that diffe
   CHECK(plan.loops[0].results.size() == 8);
   CHECK(differing(graph, plan) == 0);
   CHECK(differing<double>(graph, emit_files(model_of({graph}, Scalar::binary64))) == 0);
+}
+
+/// Blocks on the diagonal, as the fingers of a hand have: 4 of 3 rows and 2 columns.
+Graph blocks() {
+  Graph graph;
+  graph.name = "blocks";
+  graph.inputs = {{"q", 12, 1, "", "", std::vector<Range>(12, {-1.0, 1.0}), {}}};
+  std::vector<Value> values;
+  for (int row = 0; row < 12; ++row)
+    for (int col = 0; col < 8; ++col)
+      values.push_back(col / 2 == row / 3 ? graph.make(Op::sine, graph.input(row))
+                                          : graph.constant(0.0));
+  graph.outputs = {{"M", 12, 8, "", "", {}, values}};
+  return graph;
+}
+
+// Planted: a loop's constants stored beside it, too, and one loop alone for all rows, seen red
+// here.
+TEST_CASE("blocks of zeros are loops, those that save most") {
+  const Graph graph = blocks();
+  const std::vector<Loop> loops = loops_of_constants(graph, straight_plan(graph));
+  // Columns 4 to 7 of the upper half and 0 to 3 of the lower; two by three are not worth a loop.
+  REQUIRE(loops.size() == 2);
+  for (const Loop& loop : loops) {
+    CHECK(loop.count == 6);
+    CHECK(loop.results.size() == 4);
+  }
+  const Plan plan = plan_with(graph, loops);
+  CHECK(differing(graph, plan) == 0);
 }
 
 TEST_CASE("a sign that changes within a sum goes into a table, not into an operation") {

@@ -29,9 +29,10 @@ void capstan_friction_force_batch(int count, const double *SINEW_RESTRICT tensio
         const double limited_velocity = sinew_min(sinew_max(velocity[state], -1e+05), 1e+05);
         const double direction = limited_velocity / sinew_sqrt(1e-08 + limited_velocity
             * limited_velocity);
-        const double pull = sinew_max(tension[state], 0.0);
         const double angle = sinew_min(sinew_max(bending[state], 0.0), 100.0);
-        force[state] = -(direction * pull * (1.0 - sinew_exp(-(0.1 * angle))));
+        const double t1 = direction * sinew_max(tension[state], 0.0) * (1.0 - sinew_exp(-(0.1
+            * angle)));
+        force[state] = -t1;
     }
 }
 
@@ -46,7 +47,6 @@ void capstan_transmitted_force_batch(int count, const double *SINEW_RESTRICT ten
         const double direction = limited_velocity / sinew_sqrt(1e-08 + limited_velocity
             * limited_velocity);
         const double angle = sinew_min(sinew_max(bending[state], 0.0), 100.0);
-        const double pull = sinew_max(tension[state], 0.0);
-        force[state] = pull * sinew_exp(-(0.1 * angle * direction));
+        force[state] = sinew_max(tension[state], 0.0) * sinew_exp(-(0.1 * angle * direction));
     }
 }

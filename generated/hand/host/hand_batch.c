@@ -82,10 +82,7 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q,
         sinew_sincos(q_wrist[state], &sin_q71, &cos_q71);
         double sin_q73, cos_q73;
         sinew_sincos(q_wrist[1 * n + state], &sin_q73, &cos_q73);
-        const double l3y_8 = 0.032304 * s2_8;
-        const double l4y_8 = 0.02384 * s3_8;
-        const double o4y_8 = l3y_8 + l4y_8;
-        const double ptipz_8 = o4y_8 + 0.01608 * s4_8;
+        const double ptipz_8 = 0.032304 * s2_8 + 0.02384 * s3_8 + 0.01608 * s4_8;
         const double t1 = 0.01 * cos2;
         const double A = 1.2 - cos2;
         const double reach_squared_2 = sinew_max(sin2 * sin2 + A * A, 1e-12);
@@ -94,21 +91,15 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q,
         const double C = 1.0045454545454546 - 1.0909090909090908 * cos2;
         const double limited_2 = sinew_min(sinew_max(C, -reach_2), reach_2);
         const double slack = 0.6944444444444444 * (C + reach_2) * (C - reach_2);
-        const double root_2 = sinew_sqrt(sinew_max(-slack, 1e-12));
-        const double side = 1.2 * root_2;
-        const double cos4 = (sin2 * side - A * limited_2) * t2;
-        const double along = 0.012 - t1 + 0.011 * cos4;
+        const double side = 1.2 * sinew_sqrt(sinew_max(-slack, 1e-12));
+        const double along = 0.012 - t1 + 0.011 * ((sin2 * side - A * limited_2) * t2);
         const double t3 = 0.01 * sin2;
-        const double sin4 = (sin2 * limited_2 + A * side) * t2;
-        const double across = t3 - 0.011 * sin4;
+        const double across = t3 - 0.011 * ((sin2 * limited_2 + A * side) * t2);
         const double length = sinew_sqrt(sinew_max(along * along + across * across, 1.44e-16));
         const double t4 = 1.0 / length;
         const double cos3 = along * t4;
         const double R42x_8 = s1_8 * c4_8;
-        const double l3x_8 = 0.032304 * c2_8;
-        const double l4x_8 = 0.02384 * c3_8;
-        const double o4x_8 = l3x_8 + l4x_8;
-        const double t5 = 0.0048 + o4x_8;
+        const double t5 = 0.0048 + (0.032304 * c2_8 + 0.02384 * c3_8);
         const double ptipy_8 = s1_8 * t5 + 0.00456 * c1_8 + 0.01608 * R42x_8;
         const double t6 = 0.006 + ptipy_8;
         const double sin3 = across * t4;
@@ -116,8 +107,7 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q,
         const double p_z = 0.036 * cos_q71;
         const double B_e = 0.074565407529229 * sin_q73;
         const double B_y = 0.074565407529229 * cos_q73;
-        const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-        const double ratio = 0.003796 / B_to_C0_squared;
+        const double ratio = 0.003796 / (0.007324 - 0.084 * B_y);
         const double C_e = B_e * ratio;
         const double u_e = 23.80952380952381 * (B_e - C_e);
         const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
@@ -143,8 +133,7 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q,
         const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
         const double y_z = sin_q71 * u_e;
         const double placed_50 = 0.027 - cos3 * t6 - t1 - sin3 * ptipz_8;
-        const double M_z = sin_q71 * M_e;
-        const double origin_z = M_z - 0.018 * z_z;
+        const double origin_z = sin_q71 * M_e - 0.018 * z_z;
         const double R41x_8 = c1_8 * c4_8;
         const double placed_42 = c1_8 * t5 + 0.065 - 0.00456 * s1_8 + 0.01608 * R41x_8;
         const double x_plane_x = u_y * sin_A;
@@ -171,108 +160,61 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q,
         const double seen_104 = u_y * placed_44 - x_plane_y * R41x_8 - z_plane_y * placed_52;
         const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
         const double y_x = cos_q71 * u_e;
-        const double M_x = cos_q71 * M_e;
-        const double origin_x = M_x - 0.018 * z_x;
+        const double origin_x = cos_q71 * M_e - 0.018 * z_x;
         const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
         const double seen_102 = origin_x + x_x * placed_42 - y_x * placed_50 - z_x * placed_58;
         const double seen_100 = x_x * s1_8 - y_x * placed_48 + z_x * placed_56;
         const double seen_98 = x_x * R41y_8 + y_x * placed_46 - z_x * placed_54;
         const double seen_96 = x_x * R41x_8 + y_x * placed_44 + z_x * placed_52;
-        const double l3y_6 = 0.04038 * s2_6;
-        const double l4y_6 = 0.0298 * s3_6;
-        const double o4y_6 = l3y_6 + l4y_6;
-        const double ptipz_6 = o4y_6 + 0.0201 * s4_6;
+        const double ptipz_6 = 0.04038 * s2_6 + 0.0298 * s3_6 + 0.0201 * s4_6;
         const double R42x_6 = s1_6 * c4_6;
-        const double l3x_6 = 0.04038 * c2_6;
-        const double l4x_6 = 0.0298 * c3_6;
-        const double o4x_6 = l3x_6 + l4x_6;
-        const double t8 = 0.006 + o4x_6;
+        const double t8 = 0.006 + (0.04038 * c2_6 + 0.0298 * c3_6);
         const double placed_40 = 0.007 - s1_6 * t8 - 0.0057 * c1_6 - 0.0201 * R42x_6;
         const double R41x_6 = c1_6 * c4_6;
         const double placed_36 = c1_6 * t8 + 0.07 - 0.0057 * s1_6 + 0.0201 * R41x_6;
         const double seen_94 = origin_z - x_z * placed_36 - y_z * placed_40 + z_z * ptipz_6;
-        const double seen_92 = x_z * s1_6 + y_z * c1_6;
         const double R42y_6 = s1_6 * s4_6;
         const double R41y_6 = c1_6 * s4_6;
-        const double seen_90 = x_z * R41y_6 - y_z * R42y_6 + z_z * c4_6;
-        const double seen_88 = x_z * R41x_6 - y_z * R42x_6 - z_z * s4_6;
         const double seen_86 = origin_y - u_y * placed_40 - x_plane_y * placed_36 - z_plane_y
             * ptipz_6;
-        const double seen_84 = u_y * c1_6 + x_plane_y * s1_6;
         const double seen_82 = u_y * R42y_6 - x_plane_y * R41y_6 + z_plane_y * c4_6;
         const double seen_80 = u_y * R42x_6 - x_plane_y * R41x_6 - z_plane_y * s4_6;
         const double seen_78 = origin_x + x_x * placed_36 - y_x * placed_40 + z_x * ptipz_6;
-        const double seen_76 = x_x * s1_6 - y_x * c1_6;
-        const double seen_74 = x_x * R41y_6 + y_x * R42y_6 - z_x * c4_6;
-        const double seen_72 = x_x * R41x_6 + y_x * R42x_6 + z_x * s4_6;
-        const double l3y_4 = 0.0436104 * s2_4;
-        const double l4y_4 = 0.032184 * s3_4;
-        const double o4y_4 = l3y_4 + l4y_4;
-        const double ptipz_4 = o4y_4 + 0.021708 * s4_4;
+        const double ptipz_4 = 0.0436104 * s2_4 + 0.032184 * s3_4 + 0.021708 * s4_4;
         const double R42x_4 = s1_4 * c4_4;
-        const double l3x_4 = 0.0436104 * c2_4;
-        const double l4x_4 = 0.032184 * c3_4;
-        const double o4x_4 = l3x_4 + l4x_4;
-        const double t9 = 0.00648 + o4x_4;
+        const double t9 = 0.00648 + (0.0436104 * c2_4 + 0.032184 * c3_4);
         const double placed_34 = s1_4 * t9 + 0.007 + 0.006156 * c1_4 + 0.021708 * R42x_4;
         const double R41x_4 = c1_4 * c4_4;
         const double placed_30 = c1_4 * t9 + 0.072 - 0.006156 * s1_4 + 0.021708 * R41x_4;
         const double seen_70 = origin_z - x_z * placed_30 + y_z * placed_34 + z_z * ptipz_4;
-        const double seen_68 = x_z * s1_4 + y_z * c1_4;
         const double R42y_4 = s1_4 * s4_4;
         const double R41y_4 = c1_4 * s4_4;
-        const double seen_66 = x_z * R41y_4 - y_z * R42y_4 + z_z * c4_4;
-        const double seen_64 = x_z * R41x_4 - y_z * R42x_4 - z_z * s4_4;
         const double seen_62 = origin_y + u_y * placed_34 - x_plane_y * placed_30 - z_plane_y
             * ptipz_4;
-        const double seen_60 = u_y * c1_4 + x_plane_y * s1_4;
         const double seen_58 = u_y * R42y_4 - x_plane_y * R41y_4 + z_plane_y * c4_4;
         const double seen_56 = u_y * R42x_4 - x_plane_y * R41x_4 - z_plane_y * s4_4;
         const double seen_54 = origin_x + x_x * placed_30 + y_x * placed_34 + z_x * ptipz_4;
-        const double seen_52 = x_x * s1_4 - y_x * c1_4;
-        const double seen_50 = x_x * R41y_4 + y_x * R42y_4 - z_x * c4_4;
-        const double seen_48 = x_x * R41x_4 + y_x * R42x_4 + z_x * s4_4;
-        const double l3y_2 = 0.04038 * s2_2;
-        const double l4y_2 = 0.0298 * s3_2;
-        const double o4y_2 = l3y_2 + l4y_2;
-        const double ptipz_2 = o4y_2 + 0.0201 * s4_2;
+        const double ptipz_2 = 0.04038 * s2_2 + 0.0298 * s3_2 + 0.0201 * s4_2;
         const double R42x_2 = s1_2 * c4_2;
-        const double l3x_2 = 0.04038 * c2_2;
-        const double l4x_2 = 0.0298 * c3_2;
-        const double o4x_2 = l3x_2 + l4x_2;
-        const double t10 = 0.006 + o4x_2;
+        const double t10 = 0.006 + (0.04038 * c2_2 + 0.0298 * c3_2);
         const double placed_28 = s1_2 * t10 + 0.021 + 0.0057 * c1_2 + 0.0201 * R42x_2;
         const double R41x_2 = c1_2 * c4_2;
         const double placed_24 = c1_2 * t10 + 0.07 - 0.0057 * s1_2 + 0.0201 * R41x_2;
         const double seen_46 = origin_z - x_z * placed_24 + y_z * placed_28 + z_z * ptipz_2;
-        const double seen_44 = x_z * s1_2 + y_z * c1_2;
         const double R42y_2 = s1_2 * s4_2;
         const double R41y_2 = c1_2 * s4_2;
-        const double seen_42 = x_z * R41y_2 - y_z * R42y_2 + z_z * c4_2;
-        const double seen_40 = x_z * R41x_2 - y_z * R42x_2 - z_z * s4_2;
         const double seen_38 = origin_y + u_y * placed_28 - x_plane_y * placed_24 - z_plane_y
             * ptipz_2;
-        const double seen_36 = u_y * c1_2 + x_plane_y * s1_2;
         const double seen_34 = u_y * R42y_2 - x_plane_y * R41y_2 + z_plane_y * c4_2;
         const double seen_32 = u_y * R42x_2 - x_plane_y * R41x_2 - z_plane_y * s4_2;
         const double seen_30 = origin_x + x_x * placed_24 + y_x * placed_28 + z_x * ptipz_2;
-        const double seen_28 = x_x * s1_2 - y_x * c1_2;
-        const double seen_26 = x_x * R41y_2 + y_x * R42y_2 - z_x * c4_2;
-        const double seen_24 = x_x * R41x_2 + y_x * R42x_2 + z_x * s4_2;
-        const double l3y = 0.045 * s2;
-        const double l4y = 0.0298 * s3;
-        const double o4y = l3y + l4y;
-        const double ptipz = o4y + 0.0201 * s4;
+        const double ptipz = 0.045 * s2 + 0.0298 * s3 + 0.0201 * s4;
         const double R42y = s1 * c4;
-        const double l3x = 0.045 * c2;
-        const double l4x = 0.0298 * c3;
-        const double o4x = l3x + l4x;
-        const double p4y = s1 * o4x;
-        const double ptipy = p4y + 0.0201 * R42y;
+        const double o4x = 0.045 * c2 + 0.0298 * c3;
+        const double ptipy = s1 * o4x + 0.0201 * R42y;
         const double placed_22 = 0.01 - 0.5000000000000001 * ptipz + 0.8660254037844386 * ptipy;
         const double R41y = c1 * c4;
-        const double p4x = c1 * o4x;
-        const double ptipx = p4x + 0.0201 * R41y;
+        const double ptipx = c1 * o4x + 0.0201 * R41y;
         const double placed_14 = 0.03 + 0.3830222215594891 * ptipy + 0.6427876096865393 * ptipx
             + 0.6634139481689384 * ptipz;
         const double placed_6 = 0.01 - 0.32139380484326974 * ptipy - 0.5566703992264193 * ptipz
@@ -401,49 +343,49 @@ void hand_fingertips_batch(int count, const double *SINEW_RESTRICT q,
         in_forearm[13 * n + state] = 0.0;
         in_forearm[14 * n + state] = 0.0;
         in_forearm[15 * n + state] = 1.0;
-        in_forearm[16 * n + state] = seen_24;
-        in_forearm[17 * n + state] = -seen_26;
-        in_forearm[18 * n + state] = seen_28;
+        in_forearm[16 * n + state] = x_x * R41x_2 + y_x * R42x_2 + z_x * s4_2;
+        in_forearm[17 * n + state] = -(x_x * R41y_2 + y_x * R42y_2 - z_x * c4_2);
+        in_forearm[18 * n + state] = x_x * s1_2 - y_x * c1_2;
         in_forearm[19 * n + state] = seen_30;
         in_forearm[20 * n + state] = seen_32;
         in_forearm[21 * n + state] = -seen_34;
-        in_forearm[22 * n + state] = -seen_36;
+        in_forearm[22 * n + state] = -(u_y * c1_2 + x_plane_y * s1_2);
         in_forearm[23 * n + state] = seen_38;
-        in_forearm[24 * n + state] = -seen_40;
-        in_forearm[25 * n + state] = seen_42;
-        in_forearm[26 * n + state] = -seen_44;
+        in_forearm[24 * n + state] = -(x_z * R41x_2 - y_z * R42x_2 - z_z * s4_2);
+        in_forearm[25 * n + state] = x_z * R41y_2 - y_z * R42y_2 + z_z * c4_2;
+        in_forearm[26 * n + state] = -(x_z * s1_2 + y_z * c1_2);
         in_forearm[27 * n + state] = seen_46;
         in_forearm[28 * n + state] = 0.0;
         in_forearm[29 * n + state] = 0.0;
         in_forearm[30 * n + state] = 0.0;
         in_forearm[31 * n + state] = 1.0;
-        in_forearm[32 * n + state] = seen_48;
-        in_forearm[33 * n + state] = -seen_50;
-        in_forearm[34 * n + state] = seen_52;
+        in_forearm[32 * n + state] = x_x * R41x_4 + y_x * R42x_4 + z_x * s4_4;
+        in_forearm[33 * n + state] = -(x_x * R41y_4 + y_x * R42y_4 - z_x * c4_4);
+        in_forearm[34 * n + state] = x_x * s1_4 - y_x * c1_4;
         in_forearm[35 * n + state] = seen_54;
         in_forearm[36 * n + state] = seen_56;
         in_forearm[37 * n + state] = -seen_58;
-        in_forearm[38 * n + state] = -seen_60;
+        in_forearm[38 * n + state] = -(u_y * c1_4 + x_plane_y * s1_4);
         in_forearm[39 * n + state] = seen_62;
-        in_forearm[40 * n + state] = -seen_64;
-        in_forearm[41 * n + state] = seen_66;
-        in_forearm[42 * n + state] = -seen_68;
+        in_forearm[40 * n + state] = -(x_z * R41x_4 - y_z * R42x_4 - z_z * s4_4);
+        in_forearm[41 * n + state] = x_z * R41y_4 - y_z * R42y_4 + z_z * c4_4;
+        in_forearm[42 * n + state] = -(x_z * s1_4 + y_z * c1_4);
         in_forearm[43 * n + state] = seen_70;
         in_forearm[44 * n + state] = 0.0;
         in_forearm[45 * n + state] = 0.0;
         in_forearm[46 * n + state] = 0.0;
         in_forearm[47 * n + state] = 1.0;
-        in_forearm[48 * n + state] = seen_72;
-        in_forearm[49 * n + state] = -seen_74;
-        in_forearm[50 * n + state] = seen_76;
+        in_forearm[48 * n + state] = x_x * R41x_6 + y_x * R42x_6 + z_x * s4_6;
+        in_forearm[49 * n + state] = -(x_x * R41y_6 + y_x * R42y_6 - z_x * c4_6);
+        in_forearm[50 * n + state] = x_x * s1_6 - y_x * c1_6;
         in_forearm[51 * n + state] = seen_78;
         in_forearm[52 * n + state] = seen_80;
         in_forearm[53 * n + state] = -seen_82;
-        in_forearm[54 * n + state] = -seen_84;
+        in_forearm[54 * n + state] = -(u_y * c1_6 + x_plane_y * s1_6);
         in_forearm[55 * n + state] = seen_86;
-        in_forearm[56 * n + state] = -seen_88;
-        in_forearm[57 * n + state] = seen_90;
-        in_forearm[58 * n + state] = -seen_92;
+        in_forearm[56 * n + state] = -(x_z * R41x_6 - y_z * R42x_6 - z_z * s4_6);
+        in_forearm[57 * n + state] = x_z * R41y_6 - y_z * R42y_6 + z_z * c4_6;
+        in_forearm[58 * n + state] = -(x_z * s1_6 + y_z * c1_6);
         in_forearm[59 * n + state] = seen_94;
         in_forearm[60 * n + state] = 0.0;
         in_forearm[61 * n + state] = 0.0;
@@ -482,8 +424,7 @@ void hand_finger_gravity_batch(int count, const double *SINEW_RESTRICT q,
         double sin2, cos2;
         sinew_sincos(q[18 * n + state], &sin2, &cos2);
         const double B_y = 0.074565407529229 * cos_q73;
-        const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-        const double ratio = 0.003796 / B_to_C0_squared;
+        const double ratio = 0.003796 / (0.007324 - 0.084 * B_y);
         const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
         const double u_y = 23.80952380952381 * (B_y + C_y);
         const double B_e = 0.074565407529229 * sin_q73;
@@ -506,17 +447,15 @@ void hand_finger_gravity_batch(int count, const double *SINEW_RESTRICT q,
         const double sin_A = (p_y * root - p_z * limited) * t1;
         const double x_plane_x = u_y * sin_A;
         const double cos_A = (p_y * limited + p_z * root) * t1;
-        const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
         const double t2 = gravity[1 * n + state] * u_e;
-        const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-        const double turned = gravity[state] * x_x - t2 * sin_A - gravity[2 * n + state] * x_z;
+        const double turned = gravity[state] * (cos_q71 * x_plane_x + sin_q71 * cos_A) - t2 * sin_A
+            - gravity[2 * n + state] * (cos_q71 * cos_A - sin_q71 * x_plane_x);
         const double turned_2 = u_e * (gravity[state] * cos_q71 + gravity[2 * n + state] * sin_q71)
             + gravity[1 * n + state] * u_y;
         const double turned_6 = 0.6427876096865393 * turned_2 + 0.766044443118978 * turned;
         const double z_plane_x = u_y * cos_A;
-        const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-        const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-        const double turned_4 = gravity[state] * z_x - t2 * cos_A + gravity[2 * n + state] * z_z;
+        const double turned_4 = gravity[state] * (cos_q71 * z_plane_x - sin_q71 * sin_A) - t2
+            * cos_A + gravity[2 * n + state] * (cos_q71 * sin_A + sin_q71 * z_plane_x);
         const double turned_8 = 0.32139380484326974 * turned - 0.3830222215594891 * turned_2
             + 0.8660254037844386 * turned_4;
         const double turned_10 = 0.5000000000000001 * turned_4 - 0.5566703992264193 * turned
@@ -526,20 +465,15 @@ void hand_finger_gravity_batch(int count, const double *SINEW_RESTRICT q,
         const double reach_2 = sinew_sqrt(reach_squared_2);
         const double C = 1.0045454545454546 - 1.0909090909090908 * cos2;
         const double slack = 0.6944444444444444 * (C + reach_2) * (C - reach_2);
-        const double root_2 = sinew_sqrt(sinew_max(-slack, 1e-12));
-        const double side = 1.2 * root_2;
+        const double side = 1.2 * sinew_sqrt(sinew_max(-slack, 1e-12));
         const double limited_2 = sinew_min(sinew_max(C, -reach_2), reach_2);
         const double t3 = 1.0 / reach_squared_2;
-        const double cos4 = (sin2 * side - A * limited_2) * t3;
-        const double along = 0.012 - 0.01 * cos2 + 0.011 * cos4;
-        const double sin4 = (sin2 * limited_2 + A * side) * t3;
-        const double across = 0.01 * sin2 - 0.011 * sin4;
+        const double along = 0.012 - 0.01 * cos2 + 0.011 * ((sin2 * side - A * limited_2) * t3);
+        const double across = 0.01 * sin2 - 0.011 * ((sin2 * limited_2 + A * side) * t3);
         const double length = sinew_sqrt(sinew_max(along * along + across * across, 1.44e-16));
         const double t4 = 1.0 / length;
         const double sin3 = across * t4;
         const double cos3 = along * t4;
-        const double turned_12 = cos3 * turned_2 - sin3 * turned_4;
-        const double turned_14 = cos3 * turned_4 + sin3 * turned_2;
         g[state] = turned_6;
         g[1 * n + state] = -turned_8;
         g[2 * n + state] = turned_10;
@@ -553,8 +487,8 @@ void hand_finger_gravity_batch(int count, const double *SINEW_RESTRICT q,
         g[10 * n + state] = turned_2;
         g[11 * n + state] = turned_4;
         g[12 * n + state] = turned;
-        g[13 * n + state] = turned_12;
-        g[14 * n + state] = turned_14;
+        g[13 * n + state] = cos3 * turned_2 - sin3 * turned_4;
+        g[14 * n + state] = cos3 * turned_4 + sin3 * turned_2;
     }
 }
 
@@ -573,8 +507,7 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
         double sin_q73, cos_q73;
         sinew_sincos(q_wrist[1 * n + state], &sin_q73, &cos_q73);
         const double B_y = 0.074565407529229 * cos_q73;
-        const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-        const double ratio = 0.003796 / B_to_C0_squared;
+        const double ratio = 0.003796 / (0.007324 - 0.084 * B_y);
         const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
         const double u_y = 23.80952380952381 * (B_y + C_y);
         const double B_e = 0.074565407529229 * sin_q73;
@@ -600,18 +533,15 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
         const double z_plane_x = u_y * cos_A;
         const double sin_A = (p_y * root - p_z * limited) * t1;
         const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-        const double M_x = cos_q71 * M_e;
         const double x_plane_x = u_y * sin_A;
-        const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-        const double t2 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+        const double t2 = 0.004 - cos_q71 * M_e + 0.018 * z_x + 0.004 * (cos_q71 * x_plane_x
+            + sin_q71 * cos_A);
         const double t3 = 0.01 * z_x;
         const double y_x = cos_q71 * u_e;
         const double layer_0_x = t2 - t3 + 0.011 * y_x;
         const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-        const double M_z = sin_q71 * M_e;
-        const double origin_z = M_z - 0.018 * z_z;
-        const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-        const double t4 = 0.004 * x_z;
+        const double origin_z = sin_q71 * M_e - 0.018 * z_z;
+        const double t4 = 0.004 * (cos_q71 * cos_A - sin_q71 * x_plane_x);
         const double t5 = 0.01 * z_z;
         const double y_z = sin_q71 * u_e;
         const double layer_0_z = 0.008 - origin_z - t4 - t5 + 0.011 * y_z;
@@ -619,25 +549,20 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
         const double twice_across = across + across;
         const double z_plane_y = u_e * cos_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double x_plane_y = u_e * sin_A;
-        const double t6 = 0.004 * x_plane_y;
+        const double t6 = 0.004 * (u_e * sin_A);
         const double t7 = 0.01 * z_plane_y;
         const double t8 = 0.011 * u_y;
         const double layer_0_y = 0.007 - origin_y - t6 + t7 + t8;
         const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
-        const double R21y = c1 * s2;
-        const double t9 = 0.005 * R21y;
+        const double t9 = 0.005 * (c1 * s2);
         const double t10 = 0.006 * s1;
         const double t11 = t9 - t10;
-        const double R21x = c1 * c2;
-        const double t12 = 0.047 * R21x;
+        const double t12 = 0.047 * (c1 * c2);
         const double A_lengthdx = 0.002 - t11 - t12;
-        const double R22y = s1 * s2;
-        const double t13 = 0.005 * R22y;
+        const double t13 = 0.005 * (s1 * s2);
         const double t14 = 0.006 * c1;
         const double t15 = 0.03 - (t13 + t14);
-        const double R22x = s1 * c2;
-        const double t16 = 0.047 * R22x;
+        const double t16 = 0.047 * (s1 * c2);
         const double A_lengthdy = t15 - t16;
         const double t17 = 0.025 - 0.005 * c2;
         const double t18 = 0.047 * s2;
@@ -648,8 +573,7 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
         const double twice_across_2 = across_by_y + across_by_y;
         const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
         const double twice_across_4 = across_by_y_squared + across_by_y_squared;
-        const double across_slope = twice_across_2 - 0.001 * twice_across_4;
-        const double across_2 = twice_across - 0.001 * across_slope;
+        const double across_2 = twice_across - 0.001 * (twice_across_2 - 0.001 * twice_across_4);
         const double strand_y_1 = 0.001 + layer_0_y - 0.001 * u_y;
         const double length_1 = sinew_sqrt(across_2 + strand_y_1 * strand_y_1);
         const double t20 = t9 + t10;
@@ -660,8 +584,7 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
         const double t22 = B_lengthdz * B_lengthdz;
         const double B_length = sinew_sqrt(B_lengthdx * B_lengthdx + B_lengthdy * B_lengthdy + t22);
         const double t23 = 0.003 * twice_across_4;
-        const double across_slope_2 = twice_across_2 - t23;
-        const double across_4 = twice_across - 0.003 * across_slope_2;
+        const double across_4 = twice_across - 0.003 * (twice_across_2 - t23);
         const double t24 = 0.003 * u_y;
         const double strand_y_2 = 0.003 + layer_0_y - t24;
         const double length_2 = sinew_sqrt(across_4 + strand_y_2 * strand_y_2);
@@ -669,96 +592,80 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
         const double C_lengthdy = t21 + t16;
         const double C_length = sinew_sqrt(t19 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
         const double t25 = 0.005 * twice_across_4;
-        const double across_slope_4 = twice_across_2 - t25;
-        const double across_6 = twice_across - 0.005 * across_slope_4;
+        const double across_6 = twice_across - 0.005 * (twice_across_2 - t25);
         const double t26 = 0.005 * u_y;
         const double strand_y_3 = 0.004 + layer_0_y - t26;
         const double length_3 = sinew_sqrt(across_6 + strand_y_3 * strand_y_3);
         const double D_lengthdx = 0.002 + t11 - t12;
         const double D_lengthdy = t15 + t16;
         const double D_length = sinew_sqrt(t22 + D_lengthdx * D_lengthdx + D_lengthdy * D_lengthdy);
-        const double across_slope_6 = twice_across_2 - 0.006 * twice_across_4;
-        const double across_8 = twice_across - 0.006 * across_slope_6;
+        const double across_8 = twice_across - 0.006 * (twice_across_2 - 0.006 * twice_across_4);
         const double strand_y_4 = 0.006 + layer_0_y - 0.006 * u_y;
         const double length_4 = sinew_sqrt(across_8 + strand_y_4 * strand_y_4);
         const double t27 = 0.0065 * q[2 * n + state];
         const double t28 = 0.008 * twice_across_4;
-        const double across_slope_8 = twice_across_2 - t28;
-        const double across_10 = twice_across - 0.008 * across_slope_8;
+        const double across_10 = twice_across - 0.008 * (twice_across_2 - t28);
         const double t29 = 0.008 * u_y;
         const double strand_y_5 = 0.008 + layer_0_y - t29;
         const double length_5 = sinew_sqrt(across_10 + strand_y_5 * strand_y_5);
-        const double across_slope_10 = twice_across_2 - 0.009 * twice_across_4;
-        const double across_12 = twice_across - 0.009 * across_slope_10;
+        const double across_12 = twice_across - 0.009 * (twice_across_2 - 0.009 * twice_across_4);
         const double strand_y_6 = 0.009 + layer_0_y - 0.009 * u_y;
         const double length_6 = sinew_sqrt(across_12 + strand_y_6 * strand_y_6);
         const double t30 = 0.0055 * q[3 * n + state];
         const double t31 = 0.011 * twice_across_4;
-        const double across_slope_12 = twice_across_2 - t31;
-        const double across_14 = twice_across - 0.011 * across_slope_12;
+        const double across_14 = twice_across - 0.011 * (twice_across_2 - t31);
         const double strand_y_7 = 0.011 + layer_0_y - t8;
         const double length_7 = sinew_sqrt(across_14 + strand_y_7 * strand_y_7);
         const double t32 = 0.013 * twice_across_4;
-        const double across_slope_14 = twice_across_2 - t32;
-        const double across_16 = twice_across - 0.013 * across_slope_14;
+        const double across_16 = twice_across - 0.013 * (twice_across_2 - t32);
         const double t33 = 0.013 * u_y;
         const double strand_y_8 = 0.012 + layer_0_y - t33;
         const double length_8 = sinew_sqrt(across_16 + strand_y_8 * strand_y_8);
         const double t34 = 0.0065 * q[4 * n + state];
         const double t35 = 0.0065 * q[5 * n + state];
-        const double across_slope_16 = twice_across_2 - 0.014 * twice_across_4;
-        const double across_18 = twice_across - 0.014 * across_slope_16;
+        const double across_18 = twice_across - 0.014 * (twice_across_2 - 0.014 * twice_across_4);
         const double strand_y_9 = 0.014 + layer_0_y - 0.014 * u_y;
         const double length_9 = sinew_sqrt(across_18 + strand_y_9 * strand_y_9);
         const double t36 = 0.016 * twice_across_4;
-        const double across_slope_18 = twice_across_2 - t36;
-        const double across_20 = twice_across - 0.016 * across_slope_18;
+        const double across_20 = twice_across - 0.016 * (twice_across_2 - t36);
         const double t37 = 0.016 * u_y;
         const double strand_y_10 = 0.016 + layer_0_y - t37;
         const double length_10 = sinew_sqrt(across_20 + strand_y_10 * strand_y_10);
-        const double across_slope_20 = twice_across_2 - 0.017 * twice_across_4;
-        const double across_22 = twice_across - 0.017 * across_slope_20;
+        const double across_22 = twice_across - 0.017 * (twice_across_2 - 0.017 * twice_across_4);
         const double strand_y_11 = 0.017 + layer_0_y - 0.017 * u_y;
         const double length_11 = sinew_sqrt(across_22 + strand_y_11 * strand_y_11);
         const double t38 = 0.019 * twice_across_4;
-        const double across_slope_22 = twice_across_2 - t38;
-        const double across_24 = twice_across - 0.019 * across_slope_22;
+        const double across_24 = twice_across - 0.019 * (twice_across_2 - t38);
         const double t39 = 0.019 * u_y;
         const double strand_y_12 = 0.019 + layer_0_y - t39;
         const double length_12 = sinew_sqrt(across_24 + strand_y_12 * strand_y_12);
         const double t40 = 0.0055 * q[6 * n + state];
         const double t41 = 0.021 * twice_across_4;
-        const double across_slope_24 = twice_across_2 - t41;
-        const double across_26 = twice_across - 0.021 * across_slope_24;
+        const double across_26 = twice_across - 0.021 * (twice_across_2 - t41);
         const double t42 = 0.021 * u_y;
         const double strand_y_13 = 0.02 + layer_0_y - t42;
         const double length_13 = sinew_sqrt(across_26 + strand_y_13 * strand_y_13);
-        const double across_slope_26 = twice_across_2 - 0.022 * twice_across_4;
-        const double across_28 = twice_across - 0.022 * across_slope_26;
+        const double across_28 = twice_across - 0.022 * (twice_across_2 - 0.022 * twice_across_4);
         const double strand_y_14 = 0.022 + layer_0_y - 0.022 * u_y;
         const double length_14 = sinew_sqrt(across_28 + strand_y_14 * strand_y_14);
         const double t43 = 0.0045 * q[7 * n + state];
         const double t44 = 0.024 * twice_across_4;
-        const double across_slope_28 = twice_across_2 - t44;
-        const double across_30 = twice_across - 0.024 * across_slope_28;
+        const double across_30 = twice_across - 0.024 * (twice_across_2 - t44);
         const double t45 = 0.024 * u_y;
         const double strand_y_15 = 0.024 + layer_0_y - t45;
         const double length_15 = sinew_sqrt(across_30 + strand_y_15 * strand_y_15);
-        const double across_slope_30 = twice_across_2 - 0.025 * twice_across_4;
-        const double across_32 = twice_across - 0.025 * across_slope_30;
+        const double across_32 = twice_across - 0.025 * (twice_across_2 - 0.025 * twice_across_4);
         const double strand_y_16 = 0.025 + layer_0_y - 0.025 * u_y;
         const double length_16 = sinew_sqrt(across_32 + strand_y_16 * strand_y_16);
         const double t46 = 0.0065 * q[8 * n + state];
         const double t47 = 0.0065 * q[9 * n + state];
         const double t48 = 0.027 * twice_across_4;
-        const double across_slope_32 = twice_across_2 - t48;
-        const double across_34 = twice_across - 0.027 * across_slope_32;
+        const double across_34 = twice_across - 0.027 * (twice_across_2 - t48);
         const double t49 = 0.027 * u_y;
         const double strand_y_17 = 0.027 + layer_0_y - t49;
         const double length_17 = sinew_sqrt(across_34 + strand_y_17 * strand_y_17);
         const double t50 = 0.029 * twice_across_4;
-        const double across_slope_34 = twice_across_2 - t50;
-        const double across_36 = twice_across - 0.029 * across_slope_34;
+        const double across_36 = twice_across - 0.029 * (twice_across_2 - t50);
         const double t51 = 0.029 * u_y;
         const double strand_y_18 = 0.028 + layer_0_y - t51;
         const double length_18 = sinew_sqrt(across_36 + strand_y_18 * strand_y_18);
@@ -770,85 +677,67 @@ void hand_tendon_lengths_batch(int count, const double *SINEW_RESTRICT q,
         const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
         const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
         const double twice_across_8 = across_by_y_2 + across_by_y_2;
-        const double across_slope_36 = twice_across_8 - 0.002 * twice_across_4;
-        const double across_40 = twice_across_6 - 0.002 * across_slope_36;
+        const double across_40 = twice_across_6 - 0.002 * (twice_across_8 - 0.002 * twice_across_4);
         const double strand_y_20 = 0.001 + layer_1_y - 0.002 * u_y;
         const double length_20 = sinew_sqrt(across_40 + strand_y_20 * strand_y_20);
         const double t52 = 0.0055 * q[10 * n + state];
-        const double across_slope_38 = twice_across_8 - t23;
-        const double across_42 = twice_across_6 - 0.003 * across_slope_38;
+        const double across_42 = twice_across_6 - 0.003 * (twice_across_8 - t23);
         const double strand_y_21 = 0.003 + layer_1_y - t24;
         const double length_21 = sinew_sqrt(across_42 + strand_y_21 * strand_y_21);
-        const double across_slope_40 = twice_across_8 - t25;
-        const double across_44 = twice_across_6 - 0.005 * across_slope_40;
+        const double across_44 = twice_across_6 - 0.005 * (twice_across_8 - t25);
         const double strand_y_22 = 0.005 + layer_1_y - t26;
         const double length_22 = sinew_sqrt(across_44 + strand_y_22 * strand_y_22);
         const double t53 = 0.0045 * q[11 * n + state];
-        const double across_slope_42 = twice_across_8 - 0.007 * twice_across_4;
-        const double across_46 = twice_across_6 - 0.007 * across_slope_42;
+        const double across_46 = twice_across_6 - 0.007 * (twice_across_8 - 0.007 * twice_across_4);
         const double strand_y_23 = 0.006 + layer_1_y - 0.007 * u_y;
         const double length_23 = sinew_sqrt(across_46 + strand_y_23 * strand_y_23);
-        const double across_slope_44 = twice_across_8 - t28;
-        const double across_48 = twice_across_6 - 0.008 * across_slope_44;
+        const double across_48 = twice_across_6 - 0.008 * (twice_across_8 - t28);
         const double strand_y_24 = 0.008 + layer_1_y - t29;
         const double length_24 = sinew_sqrt(across_48 + strand_y_24 * strand_y_24);
         const double t54 = 0.0065 * q[12 * n + state];
         const double t55 = 0.0065 * q[13 * n + state];
-        const double across_slope_46 = twice_across_8 - 0.01 * twice_across_4;
-        const double across_50 = twice_across_6 - 0.01 * across_slope_46;
+        const double across_50 = twice_across_6 - 0.01 * (twice_across_8 - 0.01 * twice_across_4);
         const double strand_y_25 = 0.009 + layer_1_y - 0.01 * u_y;
         const double length_25 = sinew_sqrt(across_50 + strand_y_25 * strand_y_25);
-        const double across_slope_48 = twice_across_8 - t31;
-        const double across_52 = twice_across_6 - 0.011 * across_slope_48;
+        const double across_52 = twice_across_6 - 0.011 * (twice_across_8 - t31);
         const double strand_y_26 = 0.011 + layer_1_y - t8;
         const double length_26 = sinew_sqrt(across_52 + strand_y_26 * strand_y_26);
-        const double across_slope_50 = twice_across_8 - t32;
-        const double across_54 = twice_across_6 - 0.013 * across_slope_50;
+        const double across_54 = twice_across_6 - 0.013 * (twice_across_8 - t32);
         const double strand_y_27 = 0.013 + layer_1_y - t33;
         const double length_27 = sinew_sqrt(across_54 + strand_y_27 * strand_y_27);
-        const double across_slope_52 = twice_across_8 - 0.015 * twice_across_4;
-        const double across_56 = twice_across_6 - 0.015 * across_slope_52;
+        const double across_56 = twice_across_6 - 0.015 * (twice_across_8 - 0.015 * twice_across_4);
         const double strand_y_28 = 0.014 + layer_1_y - 0.015 * u_y;
         const double length_28 = sinew_sqrt(across_56 + strand_y_28 * strand_y_28);
         const double t56 = 0.011000000000000001 * q[14 * n + state];
-        const double across_slope_54 = twice_across_8 - t36;
-        const double across_58 = twice_across_6 - 0.016 * across_slope_54;
+        const double across_58 = twice_across_6 - 0.016 * (twice_across_8 - t36);
         const double strand_y_29 = 0.016 + layer_1_y - t37;
         const double length_29 = sinew_sqrt(across_58 + strand_y_29 * strand_y_29);
-        const double across_slope_56 = twice_across_8 - 0.018 * twice_across_4;
-        const double across_60 = twice_across_6 - 0.018 * across_slope_56;
+        const double across_60 = twice_across_6 - 0.018 * (twice_across_8 - 0.018 * twice_across_4);
         const double strand_y_30 = 0.017 + layer_1_y - 0.018 * u_y;
         const double length_30 = sinew_sqrt(across_60 + strand_y_30 * strand_y_30);
         const double t57 = 0.0052 * q[15 * n + state];
         const double t58 = 0.0052 * q[16 * n + state];
-        const double across_slope_58 = twice_across_8 - t38;
-        const double across_62 = twice_across_6 - 0.019 * across_slope_58;
+        const double across_62 = twice_across_6 - 0.019 * (twice_across_8 - t38);
         const double strand_y_31 = 0.019 + layer_1_y - t39;
         const double length_31 = sinew_sqrt(across_62 + strand_y_31 * strand_y_31);
-        const double across_slope_60 = twice_across_8 - t41;
-        const double across_64 = twice_across_6 - 0.021 * across_slope_60;
+        const double across_64 = twice_across_6 - 0.021 * (twice_across_8 - t41);
         const double strand_y_32 = 0.021 + layer_1_y - t42;
         const double length_32 = sinew_sqrt(across_64 + strand_y_32 * strand_y_32);
-        const double across_slope_62 = twice_across_8 - 0.023 * twice_across_4;
-        const double across_66 = twice_across_6 - 0.023 * across_slope_62;
+        const double across_66 = twice_across_6 - 0.023 * (twice_across_8 - 0.023 * twice_across_4);
         const double strand_y_33 = 0.022 + layer_1_y - 0.023 * u_y;
         const double length_33 = sinew_sqrt(across_66 + strand_y_33 * strand_y_33);
-        const double across_slope_64 = twice_across_8 - t44;
-        const double across_68 = twice_across_6 - 0.024 * across_slope_64;
+        const double across_68 = twice_across_6 - 0.024 * (twice_across_8 - t44);
         const double strand_y_34 = 0.024 + layer_1_y - t45;
         const double length_34 = sinew_sqrt(across_68 + strand_y_34 * strand_y_34);
         const double t59 = 0.0088 * q[17 * n + state];
-        const double across_slope_66 = twice_across_8 - 0.026 * twice_across_4;
-        const double across_70 = twice_across_6 - 0.026 * across_slope_66;
+        const double across_70 = twice_across_6 - 0.026 * (twice_across_8 - 0.026 * twice_across_4);
         const double strand_y_35 = 0.025 + layer_1_y - 0.026 * u_y;
         const double length_35 = sinew_sqrt(across_70 + strand_y_35 * strand_y_35);
-        const double across_slope_68 = twice_across_8 - t48;
-        const double across_72 = twice_across_6 - 0.027 * across_slope_68;
+        const double across_72 = twice_across_6 - 0.027 * (twice_across_8 - t48);
         const double strand_y_36 = 0.027 + layer_1_y - t49;
         const double length_36 = sinew_sqrt(across_72 + strand_y_36 * strand_y_36);
         const double length = 0.007853981633974483 - 0.005 * q[18 * n + state];
-        const double across_slope_70 = twice_across_8 - t50;
-        const double across_74 = twice_across_6 - 0.029 * across_slope_70;
+        const double across_74 = twice_across_6 - 0.029 * (twice_across_8 - t50);
         const double strand_y_37 = 0.029 + layer_1_y - t51;
         const double length_37 = sinew_sqrt(across_74 + strand_y_37 * strand_y_37);
         h[state] = A_length + length_0;
@@ -907,12 +796,10 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         double sin_q73, cos_q73;
         sinew_sincos(q_wrist[1 * n + state], &sin_q73, &cos_q73);
         const double B_y = 0.074565407529229 * cos_q73;
-        const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-        const double t1 = 1.0 / B_to_C0_squared;
+        const double t1 = 1.0 / (0.007324 - 0.084 * B_y);
         const double ratio = 0.003796 * t1;
         const double B_e = 0.074565407529229 * sin_q73;
-        const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-        const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t1;
+        const double ratio_by_q73 = ratio * (0.084 * B_e) * t1;
         const double t2 = 21.0 - 500.0 * B_y;
         const double C_e = B_e * ratio;
         const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t2;
@@ -969,8 +856,7 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double t22 = -(t21 - t20);
         const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73,
             1e-12 * reach_squared_by_q73);
-        const double clearance = sinew_max(t20, t21);
-        const double root = sinew_sqrt(clearance);
+        const double root = sinew_sqrt(sinew_max(t20, t21));
         const double t23 = 1.0 / root;
         const double root_by_q73 = 0.5 * clearance_by_q73 * t23;
         const double t24 = 1.0 / reach_squared;
@@ -984,8 +870,7 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
             * reach_squared_by_q73;
         const double sin_A_by_q73 = t26 * t24;
         const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
-        const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-        const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
+        const double origin_x_by_q73 = cos_q71 * M_e_by_q73 - 0.018 * z_x_by_q73;
         const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
         const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
         const double t27 = origin_x_by_q73 - 0.004 * x_x_by_q73;
@@ -994,8 +879,7 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double layer_1_x_by_q73 = t27 - t28 - 0.013 * y_x_by_q73;
         const double y_x = cos_q71 * u_e;
         const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
-        const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-        const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
+        const double origin_z_by_q73 = sin_q71 * M_e_by_q73 - 0.018 * z_z_by_q73;
         const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
         const double t29 = origin_z_by_q73 + 0.004 * x_z_by_q73;
         const double t30 = 0.01 * z_z_by_q73;
@@ -1010,8 +894,7 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double x_plane_x = u_y * sin_A;
         const double t33 = cos_q71 * x_plane_x;
         const double t34 = sin_q71 * cos_A;
-        const double x_x = t33 + t34;
-        const double t35 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+        const double t35 = 0.004 - M_x + 0.018 * z_x + 0.004 * (t33 + t34);
         const double t36 = 0.01 * z_x;
         const double t37 = 0.013 * y_x;
         const double layer_1_x = t35 + t36 + t37;
@@ -1022,8 +905,7 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double origin_z = M_z - 0.018 * z_z;
         const double t40 = sin_q71 * x_plane_x;
         const double t41 = cos_q71 * cos_A;
-        const double x_z = t41 - t40;
-        const double t42 = 0.004 * x_z;
+        const double t42 = 0.004 * (t41 - t40);
         const double t43 = 0.01 * z_z;
         const double t44 = 0.013 * y_z;
         const double layer_1_z = 0.028 - origin_z - t42 + t43 + t44;
@@ -1031,28 +913,24 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
             - layer_1_x * y_x_by_q73 - layer_1_z * y_z_by_q73;
         const double across_by_y_squared_by_q73 = y_x * y_x_by_q73 + y_z * y_z_by_q73;
         const double t45 = 0.029 * across_by_y_squared_by_q73;
-        const double across_slope_214 = across_by_y_2_by_q73 + t45;
         const double across_38_by_q73 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73;
-        const double across_218 = across_38_by_q73 - 0.029 * across_slope_214;
-        const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+        const double across_218 = across_38_by_q73 - 0.029 * (across_by_y_2_by_q73 + t45);
         const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-        const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-        const double t46 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+        const double t46 = M_y_by_q73 - 0.018 * z_plane_y_by_q73 - 0.004 * (u_e * sin_A_by_q73
+            + sin_A * u_e_by_q73);
         const double t47 = 0.01 * z_plane_y_by_q73;
         const double t48 = 0.013 * u_y_by_q73;
         const double layer_1_y_by_q73 = t46 - t47 - t48;
         const double t49 = 0.029 * u_y_by_q73;
-        const double strand_y_by_70 = layer_1_y_by_q73 + t49;
         const double z_plane_y = u_e * cos_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double x_plane_y = u_e * sin_A;
-        const double t50 = 0.004 * x_plane_y;
+        const double t50 = 0.004 * (u_e * sin_A);
         const double t51 = 0.01 * z_plane_y;
         const double t52 = 0.013 * u_y;
         const double layer_1_y = 0.006 - origin_y - t50 - t51 + t52;
         const double t53 = 0.029 * u_y;
         const double strand_y_37 = 0.029 + layer_1_y - t53;
-        const double half_square_by_150 = across_218 - strand_y_37 * strand_y_by_70;
+        const double half_square_by_150 = across_218 - strand_y_37 * (layer_1_y_by_q73 + t49);
         const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
         const double twice_across_6 = across_38 + across_38;
         const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
@@ -1060,11 +938,9 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
         const double twice_across_4 = across_by_y_squared + across_by_y_squared;
         const double t54 = 0.029 * twice_across_4;
-        const double across_slope_70 = twice_across_8 - t54;
-        const double across_74 = twice_across_6 - 0.029 * across_slope_70;
+        const double across_74 = twice_across_6 - 0.029 * (twice_across_8 - t54);
         const double length_37 = sinew_sqrt(across_74 + strand_y_37 * strand_y_37);
         const double t55 = 1.0 / length_37;
-        const double length_37_by_q73 = half_square_by_150 * t55;
         const double p_y_by_q71 = u_y * p_z;
         const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z)
             * p_z_by_q71), 0.0);
@@ -1083,16 +959,14 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
             * p_y_by_q71;
         const double sin_A_by_q71 = (t57 - sin_A * reach_squared_by_q71) * t24;
         const double z_x_by_q71 = t39 - cos_q71 * z_plane_x_by_q71 + t38 + sin_q71 * sin_A_by_q71;
-        const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
         const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
         const double x_x_by_q71 = t41 + cos_q71 * x_plane_x_by_q71 - t40 + sin_q71 * cos_A_by_q71;
-        const double t58 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+        const double t58 = M_z - 0.018 * z_x_by_q71 + 0.004 * x_x_by_q71;
         const double t59 = 0.01 * z_x_by_q71;
         const double layer_1_x_by_q71 = t58 - t59 - t44;
         const double z_z_by_q71 = t31 + cos_q71 * sin_A_by_q71 - t32 + sin_q71 * z_plane_x_by_q71;
-        const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
         const double x_z_by_q71 = t33 - cos_q71 * cos_A_by_q71 + t34 + sin_q71 * x_plane_x_by_q71;
-        const double t60 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+        const double t60 = M_x - 0.018 * z_z_by_q71 - 0.004 * x_z_by_q71;
         const double t61 = 0.01 * z_z_by_q71;
         const double layer_1_z_by_q71 = t60 - t61 - t37;
         const double across_by_y_2_by_q71 = y_x * (layer_1_z + layer_1_x_by_q71) - y_z * (layer_1_x
@@ -1100,277 +974,202 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double across_38_by_q71 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71;
         const double across_146 = across_38_by_q71 - 0.029 * across_by_y_2_by_q71;
         const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-        const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-        const double t62 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
+        const double t62 = 0.018 * z_plane_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
         const double t63 = 0.01 * z_plane_y_by_q71;
         const double layer_1_y_by_q71 = t62 + t63;
         const double half_square_by_74 = across_146 - strand_y_37 * layer_1_y_by_q71;
-        const double length_37_by_q71 = half_square_by_74 * t55;
         const double t64 = 0.027 * across_by_y_squared_by_q73;
-        const double across_slope_212 = across_by_y_2_by_q73 + t64;
-        const double across_216 = across_38_by_q73 - 0.027 * across_slope_212;
+        const double across_216 = across_38_by_q73 - 0.027 * (across_by_y_2_by_q73 + t64);
         const double t65 = 0.027 * u_y_by_q73;
-        const double strand_y_by_68 = layer_1_y_by_q73 + t65;
         const double t66 = 0.027 * u_y;
         const double strand_y_36 = 0.027 + layer_1_y - t66;
-        const double half_square_by_148 = across_216 - strand_y_36 * strand_y_by_68;
+        const double half_square_by_148 = across_216 - strand_y_36 * (layer_1_y_by_q73 + t65);
         const double t67 = 0.027 * twice_across_4;
-        const double across_slope_68 = twice_across_8 - t67;
-        const double across_72 = twice_across_6 - 0.027 * across_slope_68;
+        const double across_72 = twice_across_6 - 0.027 * (twice_across_8 - t67);
         const double length_36 = sinew_sqrt(across_72 + strand_y_36 * strand_y_36);
         const double t68 = 1.0 / length_36;
-        const double length_36_by_q73 = half_square_by_148 * t68;
         const double across_144 = across_38_by_q71 - 0.027 * across_by_y_2_by_q71;
         const double half_square_by_72 = across_144 - strand_y_36 * layer_1_y_by_q71;
-        const double length_36_by_q71 = half_square_by_72 * t68;
         const double across_slope_210 = across_by_y_2_by_q73 + 0.026 * across_by_y_squared_by_q73;
         const double across_214 = across_38_by_q73 - 0.026 * across_slope_210;
-        const double strand_y_by_66 = layer_1_y_by_q73 + 0.026 * u_y_by_q73;
         const double strand_y_35 = 0.025 + layer_1_y - 0.026 * u_y;
-        const double half_square_by_146 = across_214 - strand_y_35 * strand_y_by_66;
-        const double across_slope_66 = twice_across_8 - 0.026 * twice_across_4;
-        const double across_70 = twice_across_6 - 0.026 * across_slope_66;
+        const double half_square_by_146 = across_214 - strand_y_35 * (layer_1_y_by_q73 + 0.026
+            * u_y_by_q73);
+        const double across_70 = twice_across_6 - 0.026 * (twice_across_8 - 0.026 * twice_across_4);
         const double length_35 = sinew_sqrt(across_70 + strand_y_35 * strand_y_35);
         const double t69 = 1.0 / length_35;
-        const double length_35_by_q73 = half_square_by_146 * t69;
         const double across_142 = across_38_by_q71 - 0.026 * across_by_y_2_by_q71;
         const double half_square_by_70 = across_142 - strand_y_35 * layer_1_y_by_q71;
-        const double length_35_by_q71 = half_square_by_70 * t69;
         const double t70 = 0.024 * across_by_y_squared_by_q73;
-        const double across_slope_208 = across_by_y_2_by_q73 + t70;
-        const double across_212 = across_38_by_q73 - 0.024 * across_slope_208;
+        const double across_212 = across_38_by_q73 - 0.024 * (across_by_y_2_by_q73 + t70);
         const double t71 = 0.024 * u_y_by_q73;
-        const double strand_y_by_64 = layer_1_y_by_q73 + t71;
         const double t72 = 0.024 * u_y;
         const double strand_y_34 = 0.024 + layer_1_y - t72;
-        const double half_square_by_144 = across_212 - strand_y_34 * strand_y_by_64;
+        const double half_square_by_144 = across_212 - strand_y_34 * (layer_1_y_by_q73 + t71);
         const double t73 = 0.024 * twice_across_4;
-        const double across_slope_64 = twice_across_8 - t73;
-        const double across_68 = twice_across_6 - 0.024 * across_slope_64;
+        const double across_68 = twice_across_6 - 0.024 * (twice_across_8 - t73);
         const double length_34 = sinew_sqrt(across_68 + strand_y_34 * strand_y_34);
         const double t74 = 1.0 / length_34;
-        const double length_34_by_q73 = half_square_by_144 * t74;
         const double across_140 = across_38_by_q71 - 0.024 * across_by_y_2_by_q71;
         const double half_square_by_68 = across_140 - strand_y_34 * layer_1_y_by_q71;
-        const double length_34_by_q71 = half_square_by_68 * t74;
         const double across_slope_206 = across_by_y_2_by_q73 + 0.023 * across_by_y_squared_by_q73;
         const double across_210 = across_38_by_q73 - 0.023 * across_slope_206;
-        const double strand_y_by_62 = layer_1_y_by_q73 + 0.023 * u_y_by_q73;
         const double strand_y_33 = 0.022 + layer_1_y - 0.023 * u_y;
-        const double half_square_by_142 = across_210 - strand_y_33 * strand_y_by_62;
-        const double across_slope_62 = twice_across_8 - 0.023 * twice_across_4;
-        const double across_66 = twice_across_6 - 0.023 * across_slope_62;
+        const double half_square_by_142 = across_210 - strand_y_33 * (layer_1_y_by_q73 + 0.023
+            * u_y_by_q73);
+        const double across_66 = twice_across_6 - 0.023 * (twice_across_8 - 0.023 * twice_across_4);
         const double length_33 = sinew_sqrt(across_66 + strand_y_33 * strand_y_33);
         const double t75 = 1.0 / length_33;
-        const double length_33_by_q73 = half_square_by_142 * t75;
         const double across_138 = across_38_by_q71 - 0.023 * across_by_y_2_by_q71;
         const double half_square_by_66 = across_138 - strand_y_33 * layer_1_y_by_q71;
-        const double length_33_by_q71 = half_square_by_66 * t75;
         const double t76 = 0.021 * across_by_y_squared_by_q73;
-        const double across_slope_204 = across_by_y_2_by_q73 + t76;
-        const double across_208 = across_38_by_q73 - 0.021 * across_slope_204;
+        const double across_208 = across_38_by_q73 - 0.021 * (across_by_y_2_by_q73 + t76);
         const double t77 = 0.021 * u_y_by_q73;
-        const double strand_y_by_60 = layer_1_y_by_q73 + t77;
         const double t78 = 0.021 * u_y;
         const double strand_y_32 = 0.021 + layer_1_y - t78;
-        const double half_square_by_140 = across_208 - strand_y_32 * strand_y_by_60;
+        const double half_square_by_140 = across_208 - strand_y_32 * (layer_1_y_by_q73 + t77);
         const double t79 = 0.021 * twice_across_4;
-        const double across_slope_60 = twice_across_8 - t79;
-        const double across_64 = twice_across_6 - 0.021 * across_slope_60;
+        const double across_64 = twice_across_6 - 0.021 * (twice_across_8 - t79);
         const double length_32 = sinew_sqrt(across_64 + strand_y_32 * strand_y_32);
         const double t80 = 1.0 / length_32;
-        const double length_32_by_q73 = half_square_by_140 * t80;
         const double across_136 = across_38_by_q71 - 0.021 * across_by_y_2_by_q71;
         const double half_square_by_64 = across_136 - strand_y_32 * layer_1_y_by_q71;
-        const double length_32_by_q71 = half_square_by_64 * t80;
         const double t81 = 0.019 * across_by_y_squared_by_q73;
-        const double across_slope_202 = across_by_y_2_by_q73 + t81;
-        const double across_206 = across_38_by_q73 - 0.019 * across_slope_202;
+        const double across_206 = across_38_by_q73 - 0.019 * (across_by_y_2_by_q73 + t81);
         const double t82 = 0.019 * u_y_by_q73;
-        const double strand_y_by_58 = layer_1_y_by_q73 + t82;
         const double t83 = 0.019 * u_y;
         const double strand_y_31 = 0.019 + layer_1_y - t83;
-        const double half_square_by_138 = across_206 - strand_y_31 * strand_y_by_58;
+        const double half_square_by_138 = across_206 - strand_y_31 * (layer_1_y_by_q73 + t82);
         const double t84 = 0.019 * twice_across_4;
-        const double across_slope_58 = twice_across_8 - t84;
-        const double across_62 = twice_across_6 - 0.019 * across_slope_58;
+        const double across_62 = twice_across_6 - 0.019 * (twice_across_8 - t84);
         const double length_31 = sinew_sqrt(across_62 + strand_y_31 * strand_y_31);
         const double t85 = 1.0 / length_31;
-        const double length_31_by_q73 = half_square_by_138 * t85;
         const double across_134 = across_38_by_q71 - 0.019 * across_by_y_2_by_q71;
         const double half_square_by_62 = across_134 - strand_y_31 * layer_1_y_by_q71;
-        const double length_31_by_q71 = half_square_by_62 * t85;
         const double across_slope_200 = across_by_y_2_by_q73 + 0.018 * across_by_y_squared_by_q73;
         const double across_204 = across_38_by_q73 - 0.018 * across_slope_200;
-        const double strand_y_by_56 = layer_1_y_by_q73 + 0.018 * u_y_by_q73;
         const double strand_y_30 = 0.017 + layer_1_y - 0.018 * u_y;
-        const double half_square_by_136 = across_204 - strand_y_30 * strand_y_by_56;
-        const double across_slope_56 = twice_across_8 - 0.018 * twice_across_4;
-        const double across_60 = twice_across_6 - 0.018 * across_slope_56;
+        const double half_square_by_136 = across_204 - strand_y_30 * (layer_1_y_by_q73 + 0.018
+            * u_y_by_q73);
+        const double across_60 = twice_across_6 - 0.018 * (twice_across_8 - 0.018 * twice_across_4);
         const double length_30 = sinew_sqrt(across_60 + strand_y_30 * strand_y_30);
         const double t86 = 1.0 / length_30;
-        const double length_30_by_q73 = half_square_by_136 * t86;
         const double across_132 = across_38_by_q71 - 0.018 * across_by_y_2_by_q71;
         const double half_square_by_60 = across_132 - strand_y_30 * layer_1_y_by_q71;
-        const double length_30_by_q71 = half_square_by_60 * t86;
         const double t87 = 0.016 * across_by_y_squared_by_q73;
-        const double across_slope_198 = across_by_y_2_by_q73 + t87;
-        const double across_202 = across_38_by_q73 - 0.016 * across_slope_198;
+        const double across_202 = across_38_by_q73 - 0.016 * (across_by_y_2_by_q73 + t87);
         const double t88 = 0.016 * u_y_by_q73;
-        const double strand_y_by_54 = layer_1_y_by_q73 + t88;
         const double t89 = 0.016 * u_y;
         const double strand_y_29 = 0.016 + layer_1_y - t89;
-        const double half_square_by_134 = across_202 - strand_y_29 * strand_y_by_54;
+        const double half_square_by_134 = across_202 - strand_y_29 * (layer_1_y_by_q73 + t88);
         const double t90 = 0.016 * twice_across_4;
-        const double across_slope_54 = twice_across_8 - t90;
-        const double across_58 = twice_across_6 - 0.016 * across_slope_54;
+        const double across_58 = twice_across_6 - 0.016 * (twice_across_8 - t90);
         const double length_29 = sinew_sqrt(across_58 + strand_y_29 * strand_y_29);
         const double t91 = 1.0 / length_29;
-        const double length_29_by_q73 = half_square_by_134 * t91;
         const double across_130 = across_38_by_q71 - 0.016 * across_by_y_2_by_q71;
         const double half_square_by_58 = across_130 - strand_y_29 * layer_1_y_by_q71;
-        const double length_29_by_q71 = half_square_by_58 * t91;
         const double across_slope_196 = across_by_y_2_by_q73 + 0.015 * across_by_y_squared_by_q73;
         const double across_200 = across_38_by_q73 - 0.015 * across_slope_196;
-        const double strand_y_by_52 = layer_1_y_by_q73 + 0.015 * u_y_by_q73;
         const double strand_y_28 = 0.014 + layer_1_y - 0.015 * u_y;
-        const double half_square_by_132 = across_200 - strand_y_28 * strand_y_by_52;
-        const double across_slope_52 = twice_across_8 - 0.015 * twice_across_4;
-        const double across_56 = twice_across_6 - 0.015 * across_slope_52;
+        const double half_square_by_132 = across_200 - strand_y_28 * (layer_1_y_by_q73 + 0.015
+            * u_y_by_q73);
+        const double across_56 = twice_across_6 - 0.015 * (twice_across_8 - 0.015 * twice_across_4);
         const double length_28 = sinew_sqrt(across_56 + strand_y_28 * strand_y_28);
         const double t92 = 1.0 / length_28;
-        const double length_28_by_q73 = half_square_by_132 * t92;
         const double across_128 = across_38_by_q71 - 0.015 * across_by_y_2_by_q71;
         const double half_square_by_56 = across_128 - strand_y_28 * layer_1_y_by_q71;
-        const double length_28_by_q71 = half_square_by_56 * t92;
         const double t93 = 0.013 * across_by_y_squared_by_q73;
-        const double across_slope_194 = across_by_y_2_by_q73 + t93;
-        const double across_198 = across_38_by_q73 - 0.013 * across_slope_194;
-        const double strand_y_by_50 = layer_1_y_by_q73 + t48;
+        const double across_198 = across_38_by_q73 - 0.013 * (across_by_y_2_by_q73 + t93);
         const double strand_y_27 = 0.013 + layer_1_y - t52;
-        const double half_square_by_130 = across_198 - strand_y_27 * strand_y_by_50;
+        const double half_square_by_130 = across_198 - strand_y_27 * (layer_1_y_by_q73 + t48);
         const double t94 = 0.013 * twice_across_4;
-        const double across_slope_50 = twice_across_8 - t94;
-        const double across_54 = twice_across_6 - 0.013 * across_slope_50;
+        const double across_54 = twice_across_6 - 0.013 * (twice_across_8 - t94);
         const double length_27 = sinew_sqrt(across_54 + strand_y_27 * strand_y_27);
         const double t95 = 1.0 / length_27;
-        const double length_27_by_q73 = half_square_by_130 * t95;
         const double across_126 = across_38_by_q71 - 0.013 * across_by_y_2_by_q71;
         const double half_square_by_54 = across_126 - strand_y_27 * layer_1_y_by_q71;
-        const double length_27_by_q71 = half_square_by_54 * t95;
         const double t96 = 0.011 * across_by_y_squared_by_q73;
-        const double across_slope_192 = across_by_y_2_by_q73 + t96;
-        const double across_196 = across_38_by_q73 - 0.011 * across_slope_192;
+        const double across_196 = across_38_by_q73 - 0.011 * (across_by_y_2_by_q73 + t96);
         const double t97 = 0.011 * u_y_by_q73;
-        const double strand_y_by_48 = layer_1_y_by_q73 + t97;
         const double t98 = 0.011 * u_y;
         const double strand_y_26 = 0.011 + layer_1_y - t98;
-        const double half_square_by_128 = across_196 - strand_y_26 * strand_y_by_48;
+        const double half_square_by_128 = across_196 - strand_y_26 * (layer_1_y_by_q73 + t97);
         const double t99 = 0.011 * twice_across_4;
-        const double across_slope_48 = twice_across_8 - t99;
-        const double across_52 = twice_across_6 - 0.011 * across_slope_48;
+        const double across_52 = twice_across_6 - 0.011 * (twice_across_8 - t99);
         const double length_26 = sinew_sqrt(across_52 + strand_y_26 * strand_y_26);
         const double t100 = 1.0 / length_26;
-        const double length_26_by_q73 = half_square_by_128 * t100;
         const double across_124 = across_38_by_q71 - 0.011 * across_by_y_2_by_q71;
         const double half_square_by_52 = across_124 - strand_y_26 * layer_1_y_by_q71;
-        const double length_26_by_q71 = half_square_by_52 * t100;
         const double across_slope_190 = across_by_y_2_by_q73 + 0.01 * across_by_y_squared_by_q73;
         const double across_194 = across_38_by_q73 - 0.01 * across_slope_190;
-        const double strand_y_by_46 = layer_1_y_by_q73 + 0.01 * u_y_by_q73;
         const double strand_y_25 = 0.009 + layer_1_y - 0.01 * u_y;
-        const double half_square_by_126 = across_194 - strand_y_25 * strand_y_by_46;
-        const double across_slope_46 = twice_across_8 - 0.01 * twice_across_4;
-        const double across_50 = twice_across_6 - 0.01 * across_slope_46;
+        const double half_square_by_126 = across_194 - strand_y_25 * (layer_1_y_by_q73 + 0.01
+            * u_y_by_q73);
+        const double across_50 = twice_across_6 - 0.01 * (twice_across_8 - 0.01 * twice_across_4);
         const double length_25 = sinew_sqrt(across_50 + strand_y_25 * strand_y_25);
         const double t101 = 1.0 / length_25;
-        const double length_25_by_q73 = half_square_by_126 * t101;
         const double across_122 = across_38_by_q71 - 0.01 * across_by_y_2_by_q71;
         const double half_square_by_50 = across_122 - strand_y_25 * layer_1_y_by_q71;
-        const double length_25_by_q71 = half_square_by_50 * t101;
         const double t102 = 0.008 * across_by_y_squared_by_q73;
-        const double across_slope_188 = across_by_y_2_by_q73 + t102;
-        const double across_192 = across_38_by_q73 - 0.008 * across_slope_188;
+        const double across_192 = across_38_by_q73 - 0.008 * (across_by_y_2_by_q73 + t102);
         const double t103 = 0.008 * u_y_by_q73;
-        const double strand_y_by_44 = layer_1_y_by_q73 + t103;
         const double t104 = 0.008 * u_y;
         const double strand_y_24 = 0.008 + layer_1_y - t104;
-        const double half_square_by_124 = across_192 - strand_y_24 * strand_y_by_44;
+        const double half_square_by_124 = across_192 - strand_y_24 * (layer_1_y_by_q73 + t103);
         const double t105 = 0.008 * twice_across_4;
-        const double across_slope_44 = twice_across_8 - t105;
-        const double across_48 = twice_across_6 - 0.008 * across_slope_44;
+        const double across_48 = twice_across_6 - 0.008 * (twice_across_8 - t105);
         const double length_24 = sinew_sqrt(across_48 + strand_y_24 * strand_y_24);
         const double t106 = 1.0 / length_24;
-        const double length_24_by_q73 = half_square_by_124 * t106;
         const double across_120 = across_38_by_q71 - 0.008 * across_by_y_2_by_q71;
         const double half_square_by_48 = across_120 - strand_y_24 * layer_1_y_by_q71;
-        const double length_24_by_q71 = half_square_by_48 * t106;
         const double across_slope_186 = across_by_y_2_by_q73 + 0.007 * across_by_y_squared_by_q73;
         const double across_190 = across_38_by_q73 - 0.007 * across_slope_186;
-        const double strand_y_by_42 = layer_1_y_by_q73 + 0.007 * u_y_by_q73;
         const double strand_y_23 = 0.006 + layer_1_y - 0.007 * u_y;
-        const double half_square_by_122 = across_190 - strand_y_23 * strand_y_by_42;
-        const double across_slope_42 = twice_across_8 - 0.007 * twice_across_4;
-        const double across_46 = twice_across_6 - 0.007 * across_slope_42;
+        const double half_square_by_122 = across_190 - strand_y_23 * (layer_1_y_by_q73 + 0.007
+            * u_y_by_q73);
+        const double across_46 = twice_across_6 - 0.007 * (twice_across_8 - 0.007 * twice_across_4);
         const double length_23 = sinew_sqrt(across_46 + strand_y_23 * strand_y_23);
         const double t107 = 1.0 / length_23;
-        const double length_23_by_q73 = half_square_by_122 * t107;
         const double across_118 = across_38_by_q71 - 0.007 * across_by_y_2_by_q71;
         const double half_square_by_46 = across_118 - strand_y_23 * layer_1_y_by_q71;
-        const double length_23_by_q71 = half_square_by_46 * t107;
         const double t108 = 0.005 * across_by_y_squared_by_q73;
-        const double across_slope_184 = across_by_y_2_by_q73 + t108;
-        const double across_188 = across_38_by_q73 - 0.005 * across_slope_184;
+        const double across_188 = across_38_by_q73 - 0.005 * (across_by_y_2_by_q73 + t108);
         const double t109 = 0.005 * u_y_by_q73;
-        const double strand_y_by_40 = layer_1_y_by_q73 + t109;
         const double t110 = 0.005 * u_y;
         const double strand_y_22 = 0.005 + layer_1_y - t110;
-        const double half_square_by_120 = across_188 - strand_y_22 * strand_y_by_40;
+        const double half_square_by_120 = across_188 - strand_y_22 * (layer_1_y_by_q73 + t109);
         const double t111 = 0.005 * twice_across_4;
-        const double across_slope_40 = twice_across_8 - t111;
-        const double across_44 = twice_across_6 - 0.005 * across_slope_40;
+        const double across_44 = twice_across_6 - 0.005 * (twice_across_8 - t111);
         const double length_22 = sinew_sqrt(across_44 + strand_y_22 * strand_y_22);
         const double t112 = 1.0 / length_22;
-        const double length_22_by_q73 = half_square_by_120 * t112;
         const double across_116 = across_38_by_q71 - 0.005 * across_by_y_2_by_q71;
         const double half_square_by_44 = across_116 - strand_y_22 * layer_1_y_by_q71;
-        const double length_22_by_q71 = half_square_by_44 * t112;
         const double t113 = 0.003 * across_by_y_squared_by_q73;
-        const double across_slope_182 = across_by_y_2_by_q73 + t113;
-        const double across_186 = across_38_by_q73 - 0.003 * across_slope_182;
+        const double across_186 = across_38_by_q73 - 0.003 * (across_by_y_2_by_q73 + t113);
         const double t114 = 0.003 * u_y_by_q73;
-        const double strand_y_by_38 = layer_1_y_by_q73 + t114;
         const double t115 = 0.003 * u_y;
         const double strand_y_21 = 0.003 + layer_1_y - t115;
-        const double half_square_by_118 = across_186 - strand_y_21 * strand_y_by_38;
+        const double half_square_by_118 = across_186 - strand_y_21 * (layer_1_y_by_q73 + t114);
         const double t116 = 0.003 * twice_across_4;
-        const double across_slope_38 = twice_across_8 - t116;
-        const double across_42 = twice_across_6 - 0.003 * across_slope_38;
+        const double across_42 = twice_across_6 - 0.003 * (twice_across_8 - t116);
         const double length_21 = sinew_sqrt(across_42 + strand_y_21 * strand_y_21);
         const double t117 = 1.0 / length_21;
-        const double length_21_by_q73 = half_square_by_118 * t117;
         const double across_114 = across_38_by_q71 - 0.003 * across_by_y_2_by_q71;
         const double half_square_by_42 = across_114 - strand_y_21 * layer_1_y_by_q71;
-        const double length_21_by_q71 = half_square_by_42 * t117;
         const double across_slope_180 = across_by_y_2_by_q73 + 0.002 * across_by_y_squared_by_q73;
         const double across_184 = across_38_by_q73 - 0.002 * across_slope_180;
-        const double strand_y_by_36 = layer_1_y_by_q73 + 0.002 * u_y_by_q73;
         const double strand_y_20 = 0.001 + layer_1_y - 0.002 * u_y;
-        const double half_square_by_116 = across_184 - strand_y_20 * strand_y_by_36;
-        const double across_slope_36 = twice_across_8 - 0.002 * twice_across_4;
-        const double across_40 = twice_across_6 - 0.002 * across_slope_36;
+        const double half_square_by_116 = across_184 - strand_y_20 * (layer_1_y_by_q73 + 0.002
+            * u_y_by_q73);
+        const double across_40 = twice_across_6 - 0.002 * (twice_across_8 - 0.002 * twice_across_4);
         const double length_20 = sinew_sqrt(across_40 + strand_y_20 * strand_y_20);
         const double t118 = 1.0 / length_20;
-        const double length_20_by_q73 = half_square_by_116 * t118;
         const double across_112 = across_38_by_q71 - 0.002 * across_by_y_2_by_q71;
         const double half_square_by_40 = across_112 - strand_y_20 * layer_1_y_by_q71;
-        const double length_20_by_q71 = half_square_by_40 * t118;
         const double half_square_by_114 = across_38_by_q73 - layer_1_y * layer_1_y_by_q73;
         const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
         const double t119 = 1.0 / length_19;
-        const double length_19_by_q73 = half_square_by_114 * t119;
         const double half_square_by_38 = across_38_by_q71 - layer_1_y * layer_1_y_by_q71;
-        const double length_19_by_q71 = half_square_by_38 * t119;
         const double layer_0_x_by_q73 = t27 + t28 - 0.011 * y_x_by_q73;
         const double layer_0_z_by_q73 = t29 + t30 - 0.011 * y_z_by_q73;
         const double t120 = 0.011 * y_x;
@@ -1379,23 +1178,19 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double layer_0_z = 0.008 - origin_z - t42 - t43 + t121;
         const double across_by_y_by_q73 = y_x * layer_0_x_by_q73 + y_z * layer_0_z_by_q73
             - layer_0_x * y_x_by_q73 - layer_0_z * y_z_by_q73;
-        const double across_slope_178 = across_by_y_by_q73 + t45;
         const double across_by_q73 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73;
-        const double across_182 = across_by_q73 - 0.029 * across_slope_178;
+        const double across_182 = across_by_q73 - 0.029 * (across_by_y_by_q73 + t45);
         const double layer_0_y_by_q73 = t46 + t47 - t97;
-        const double strand_y_by_34 = layer_0_y_by_q73 + t49;
         const double layer_0_y = 0.007 - origin_y - t50 + t51 + t98;
         const double strand_y_18 = 0.028 + layer_0_y - t53;
-        const double half_square_by_112 = across_182 - strand_y_18 * strand_y_by_34;
+        const double half_square_by_112 = across_182 - strand_y_18 * (layer_0_y_by_q73 + t49);
         const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
         const double twice_across = across + across;
         const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
         const double twice_across_2 = across_by_y + across_by_y;
-        const double across_slope_34 = twice_across_2 - t54;
-        const double across_36 = twice_across - 0.029 * across_slope_34;
+        const double across_36 = twice_across - 0.029 * (twice_across_2 - t54);
         const double length_18 = sinew_sqrt(across_36 + strand_y_18 * strand_y_18);
         const double t122 = 1.0 / length_18;
-        const double length_18_by_q73 = half_square_by_112 * t122;
         const double layer_0_x_by_q71 = t58 + t59 - t121;
         const double layer_0_z_by_q71 = t60 + t61 - t120;
         const double across_by_y_by_q71 = y_x * (layer_0_z + layer_0_x_by_q71) - y_z * (layer_0_x
@@ -1404,202 +1199,132 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double across_110 = across_by_q71 - 0.029 * across_by_y_by_q71;
         const double layer_0_y_by_q71 = t62 - t63;
         const double half_square_by_36 = across_110 - strand_y_18 * layer_0_y_by_q71;
-        const double length_18_by_q71 = half_square_by_36 * t122;
-        const double across_slope_176 = across_by_y_by_q73 + t64;
-        const double across_180 = across_by_q73 - 0.027 * across_slope_176;
-        const double strand_y_by_32 = layer_0_y_by_q73 + t65;
+        const double across_180 = across_by_q73 - 0.027 * (across_by_y_by_q73 + t64);
         const double strand_y_17 = 0.027 + layer_0_y - t66;
-        const double half_square_by_110 = across_180 - strand_y_17 * strand_y_by_32;
-        const double across_slope_32 = twice_across_2 - t67;
-        const double across_34 = twice_across - 0.027 * across_slope_32;
+        const double half_square_by_110 = across_180 - strand_y_17 * (layer_0_y_by_q73 + t65);
+        const double across_34 = twice_across - 0.027 * (twice_across_2 - t67);
         const double length_17 = sinew_sqrt(across_34 + strand_y_17 * strand_y_17);
         const double t123 = 1.0 / length_17;
-        const double length_17_by_q73 = half_square_by_110 * t123;
         const double across_108 = across_by_q71 - 0.027 * across_by_y_by_q71;
         const double half_square_by_34 = across_108 - strand_y_17 * layer_0_y_by_q71;
-        const double length_17_by_q71 = half_square_by_34 * t123;
         const double across_slope_174 = across_by_y_by_q73 + 0.025 * across_by_y_squared_by_q73;
-        const double across_178 = across_by_q73 - 0.025 * across_slope_174;
-        const double strand_y_by_30 = layer_0_y_by_q73 + 0.025 * u_y_by_q73;
         const double strand_y_16 = 0.025 + layer_0_y - 0.025 * u_y;
-        const double half_square_by_108 = across_178 - strand_y_16 * strand_y_by_30;
-        const double across_slope_30 = twice_across_2 - 0.025 * twice_across_4;
-        const double across_32 = twice_across - 0.025 * across_slope_30;
+        const double half_square_by_108 = across_by_q73 - 0.025 * across_slope_174 - strand_y_16
+            * (layer_0_y_by_q73 + 0.025 * u_y_by_q73);
+        const double across_32 = twice_across - 0.025 * (twice_across_2 - 0.025 * twice_across_4);
         const double length_16 = sinew_sqrt(across_32 + strand_y_16 * strand_y_16);
         const double t124 = 1.0 / length_16;
-        const double length_16_by_q73 = half_square_by_108 * t124;
         const double across_106 = across_by_q71 - 0.025 * across_by_y_by_q71;
         const double half_square_by_32 = across_106 - strand_y_16 * layer_0_y_by_q71;
-        const double length_16_by_q71 = half_square_by_32 * t124;
-        const double across_slope_172 = across_by_y_by_q73 + t70;
-        const double across_176 = across_by_q73 - 0.024 * across_slope_172;
-        const double strand_y_by_28 = layer_0_y_by_q73 + t71;
+        const double across_176 = across_by_q73 - 0.024 * (across_by_y_by_q73 + t70);
         const double strand_y_15 = 0.024 + layer_0_y - t72;
-        const double half_square_by_106 = across_176 - strand_y_15 * strand_y_by_28;
-        const double across_slope_28 = twice_across_2 - t73;
-        const double across_30 = twice_across - 0.024 * across_slope_28;
+        const double half_square_by_106 = across_176 - strand_y_15 * (layer_0_y_by_q73 + t71);
+        const double across_30 = twice_across - 0.024 * (twice_across_2 - t73);
         const double length_15 = sinew_sqrt(across_30 + strand_y_15 * strand_y_15);
         const double t125 = 1.0 / length_15;
-        const double length_15_by_q73 = half_square_by_106 * t125;
         const double across_104 = across_by_q71 - 0.024 * across_by_y_by_q71;
         const double half_square_by_30 = across_104 - strand_y_15 * layer_0_y_by_q71;
-        const double length_15_by_q71 = half_square_by_30 * t125;
         const double across_slope_170 = across_by_y_by_q73 + 0.022 * across_by_y_squared_by_q73;
-        const double across_174 = across_by_q73 - 0.022 * across_slope_170;
-        const double strand_y_by_26 = layer_0_y_by_q73 + 0.022 * u_y_by_q73;
         const double strand_y_14 = 0.022 + layer_0_y - 0.022 * u_y;
-        const double half_square_by_104 = across_174 - strand_y_14 * strand_y_by_26;
-        const double across_slope_26 = twice_across_2 - 0.022 * twice_across_4;
-        const double across_28 = twice_across - 0.022 * across_slope_26;
+        const double half_square_by_104 = across_by_q73 - 0.022 * across_slope_170 - strand_y_14
+            * (layer_0_y_by_q73 + 0.022 * u_y_by_q73);
+        const double across_28 = twice_across - 0.022 * (twice_across_2 - 0.022 * twice_across_4);
         const double length_14 = sinew_sqrt(across_28 + strand_y_14 * strand_y_14);
         const double t126 = 1.0 / length_14;
-        const double length_14_by_q73 = half_square_by_104 * t126;
         const double across_102 = across_by_q71 - 0.022 * across_by_y_by_q71;
         const double half_square_by_28 = across_102 - strand_y_14 * layer_0_y_by_q71;
-        const double length_14_by_q71 = half_square_by_28 * t126;
-        const double across_slope_168 = across_by_y_by_q73 + t76;
-        const double across_172 = across_by_q73 - 0.021 * across_slope_168;
-        const double strand_y_by_24 = layer_0_y_by_q73 + t77;
+        const double across_172 = across_by_q73 - 0.021 * (across_by_y_by_q73 + t76);
         const double strand_y_13 = 0.02 + layer_0_y - t78;
-        const double half_square_by_102 = across_172 - strand_y_13 * strand_y_by_24;
-        const double across_slope_24 = twice_across_2 - t79;
-        const double across_26 = twice_across - 0.021 * across_slope_24;
+        const double half_square_by_102 = across_172 - strand_y_13 * (layer_0_y_by_q73 + t77);
+        const double across_26 = twice_across - 0.021 * (twice_across_2 - t79);
         const double length_13 = sinew_sqrt(across_26 + strand_y_13 * strand_y_13);
         const double t127 = 1.0 / length_13;
-        const double length_13_by_q73 = half_square_by_102 * t127;
         const double across_100 = across_by_q71 - 0.021 * across_by_y_by_q71;
         const double half_square_by_26 = across_100 - strand_y_13 * layer_0_y_by_q71;
-        const double length_13_by_q71 = half_square_by_26 * t127;
-        const double across_slope_166 = across_by_y_by_q73 + t81;
-        const double across_170 = across_by_q73 - 0.019 * across_slope_166;
-        const double strand_y_by_22 = layer_0_y_by_q73 + t82;
+        const double across_170 = across_by_q73 - 0.019 * (across_by_y_by_q73 + t81);
         const double strand_y_12 = 0.019 + layer_0_y - t83;
-        const double half_square_by_100 = across_170 - strand_y_12 * strand_y_by_22;
-        const double across_slope_22 = twice_across_2 - t84;
-        const double across_24 = twice_across - 0.019 * across_slope_22;
+        const double half_square_by_100 = across_170 - strand_y_12 * (layer_0_y_by_q73 + t82);
+        const double across_24 = twice_across - 0.019 * (twice_across_2 - t84);
         const double length_12 = sinew_sqrt(across_24 + strand_y_12 * strand_y_12);
         const double t128 = 1.0 / length_12;
-        const double length_12_by_q73 = half_square_by_100 * t128;
         const double across_98 = across_by_q71 - 0.019 * across_by_y_by_q71;
         const double half_square_by_24 = across_98 - strand_y_12 * layer_0_y_by_q71;
-        const double length_12_by_q71 = half_square_by_24 * t128;
         const double across_slope_164 = across_by_y_by_q73 + 0.017 * across_by_y_squared_by_q73;
-        const double across_168 = across_by_q73 - 0.017 * across_slope_164;
-        const double strand_y_by_20 = layer_0_y_by_q73 + 0.017 * u_y_by_q73;
         const double strand_y_11 = 0.017 + layer_0_y - 0.017 * u_y;
-        const double half_square_by_98 = across_168 - strand_y_11 * strand_y_by_20;
-        const double across_slope_20 = twice_across_2 - 0.017 * twice_across_4;
-        const double across_22 = twice_across - 0.017 * across_slope_20;
+        const double half_square_by_98 = across_by_q73 - 0.017 * across_slope_164 - strand_y_11
+            * (layer_0_y_by_q73 + 0.017 * u_y_by_q73);
+        const double across_22 = twice_across - 0.017 * (twice_across_2 - 0.017 * twice_across_4);
         const double length_11 = sinew_sqrt(across_22 + strand_y_11 * strand_y_11);
         const double t129 = 1.0 / length_11;
-        const double length_11_by_q73 = half_square_by_98 * t129;
         const double across_96 = across_by_q71 - 0.017 * across_by_y_by_q71;
         const double half_square_by_22 = across_96 - strand_y_11 * layer_0_y_by_q71;
-        const double length_11_by_q71 = half_square_by_22 * t129;
-        const double across_slope_162 = across_by_y_by_q73 + t87;
-        const double across_166 = across_by_q73 - 0.016 * across_slope_162;
-        const double strand_y_by_18 = layer_0_y_by_q73 + t88;
+        const double across_166 = across_by_q73 - 0.016 * (across_by_y_by_q73 + t87);
         const double strand_y_10 = 0.016 + layer_0_y - t89;
-        const double half_square_by_96 = across_166 - strand_y_10 * strand_y_by_18;
-        const double across_slope_18 = twice_across_2 - t90;
-        const double across_20 = twice_across - 0.016 * across_slope_18;
+        const double half_square_by_96 = across_166 - strand_y_10 * (layer_0_y_by_q73 + t88);
+        const double across_20 = twice_across - 0.016 * (twice_across_2 - t90);
         const double length_10 = sinew_sqrt(across_20 + strand_y_10 * strand_y_10);
         const double t130 = 1.0 / length_10;
-        const double length_10_by_q73 = half_square_by_96 * t130;
         const double across_94 = across_by_q71 - 0.016 * across_by_y_by_q71;
         const double half_square_by_20 = across_94 - strand_y_10 * layer_0_y_by_q71;
-        const double length_10_by_q71 = half_square_by_20 * t130;
         const double across_slope_160 = across_by_y_by_q73 + 0.014 * across_by_y_squared_by_q73;
-        const double across_164 = across_by_q73 - 0.014 * across_slope_160;
-        const double strand_y_by_16 = layer_0_y_by_q73 + 0.014 * u_y_by_q73;
         const double strand_y_9 = 0.014 + layer_0_y - 0.014 * u_y;
-        const double half_square_by_94 = across_164 - strand_y_9 * strand_y_by_16;
-        const double across_slope_16 = twice_across_2 - 0.014 * twice_across_4;
-        const double across_18 = twice_across - 0.014 * across_slope_16;
+        const double half_square_by_94 = across_by_q73 - 0.014 * across_slope_160 - strand_y_9
+            * (layer_0_y_by_q73 + 0.014 * u_y_by_q73);
+        const double across_18 = twice_across - 0.014 * (twice_across_2 - 0.014 * twice_across_4);
         const double length_9 = sinew_sqrt(across_18 + strand_y_9 * strand_y_9);
         const double t131 = 1.0 / length_9;
-        const double length_9_by_q73 = half_square_by_94 * t131;
         const double across_92 = across_by_q71 - 0.014 * across_by_y_by_q71;
         const double half_square_by_18 = across_92 - strand_y_9 * layer_0_y_by_q71;
-        const double length_9_by_q71 = half_square_by_18 * t131;
-        const double across_slope_158 = across_by_y_by_q73 + t93;
-        const double across_162 = across_by_q73 - 0.013 * across_slope_158;
-        const double strand_y_by_14 = layer_0_y_by_q73 + t48;
+        const double across_162 = across_by_q73 - 0.013 * (across_by_y_by_q73 + t93);
         const double strand_y_8 = 0.012 + layer_0_y - t52;
-        const double half_square_by_92 = across_162 - strand_y_8 * strand_y_by_14;
-        const double across_slope_14 = twice_across_2 - t94;
-        const double across_16 = twice_across - 0.013 * across_slope_14;
+        const double half_square_by_92 = across_162 - strand_y_8 * (layer_0_y_by_q73 + t48);
+        const double across_16 = twice_across - 0.013 * (twice_across_2 - t94);
         const double length_8 = sinew_sqrt(across_16 + strand_y_8 * strand_y_8);
         const double t132 = 1.0 / length_8;
-        const double length_8_by_q73 = half_square_by_92 * t132;
         const double across_90 = across_by_q71 - 0.013 * across_by_y_by_q71;
         const double half_square_by_16 = across_90 - strand_y_8 * layer_0_y_by_q71;
-        const double length_8_by_q71 = half_square_by_16 * t132;
-        const double across_slope_156 = across_by_y_by_q73 + t96;
-        const double across_160 = across_by_q73 - 0.011 * across_slope_156;
-        const double strand_y_by_12 = layer_0_y_by_q73 + t97;
+        const double across_160 = across_by_q73 - 0.011 * (across_by_y_by_q73 + t96);
         const double strand_y_7 = 0.011 + layer_0_y - t98;
-        const double half_square_by_90 = across_160 - strand_y_7 * strand_y_by_12;
-        const double across_slope_12 = twice_across_2 - t99;
-        const double across_14 = twice_across - 0.011 * across_slope_12;
+        const double half_square_by_90 = across_160 - strand_y_7 * (layer_0_y_by_q73 + t97);
+        const double across_14 = twice_across - 0.011 * (twice_across_2 - t99);
         const double length_7 = sinew_sqrt(across_14 + strand_y_7 * strand_y_7);
         const double t133 = 1.0 / length_7;
-        const double length_7_by_q73 = half_square_by_90 * t133;
         const double across_88 = across_by_q71 - 0.011 * across_by_y_by_q71;
         const double half_square_by_14 = across_88 - strand_y_7 * layer_0_y_by_q71;
-        const double length_7_by_q71 = half_square_by_14 * t133;
         const double across_slope_154 = across_by_y_by_q73 + 0.009 * across_by_y_squared_by_q73;
-        const double across_158 = across_by_q73 - 0.009 * across_slope_154;
-        const double strand_y_by_10 = layer_0_y_by_q73 + 0.009 * u_y_by_q73;
         const double strand_y_6 = 0.009 + layer_0_y - 0.009 * u_y;
-        const double half_square_by_88 = across_158 - strand_y_6 * strand_y_by_10;
-        const double across_slope_10 = twice_across_2 - 0.009 * twice_across_4;
-        const double across_12 = twice_across - 0.009 * across_slope_10;
+        const double half_square_by_88 = across_by_q73 - 0.009 * across_slope_154 - strand_y_6
+            * (layer_0_y_by_q73 + 0.009 * u_y_by_q73);
+        const double across_12 = twice_across - 0.009 * (twice_across_2 - 0.009 * twice_across_4);
         const double length_6 = sinew_sqrt(across_12 + strand_y_6 * strand_y_6);
         const double t134 = 1.0 / length_6;
-        const double length_6_by_q73 = half_square_by_88 * t134;
         const double across_86 = across_by_q71 - 0.009 * across_by_y_by_q71;
         const double half_square_by_12 = across_86 - strand_y_6 * layer_0_y_by_q71;
-        const double length_6_by_q71 = half_square_by_12 * t134;
-        const double across_slope_152 = across_by_y_by_q73 + t102;
-        const double across_156 = across_by_q73 - 0.008 * across_slope_152;
-        const double strand_y_by_8 = layer_0_y_by_q73 + t103;
+        const double across_156 = across_by_q73 - 0.008 * (across_by_y_by_q73 + t102);
         const double strand_y_5 = 0.008 + layer_0_y - t104;
-        const double half_square_by_86 = across_156 - strand_y_5 * strand_y_by_8;
-        const double across_slope_8 = twice_across_2 - t105;
-        const double across_10 = twice_across - 0.008 * across_slope_8;
+        const double half_square_by_86 = across_156 - strand_y_5 * (layer_0_y_by_q73 + t103);
+        const double across_10 = twice_across - 0.008 * (twice_across_2 - t105);
         const double length_5 = sinew_sqrt(across_10 + strand_y_5 * strand_y_5);
         const double t135 = 1.0 / length_5;
-        const double length_5_by_q73 = half_square_by_86 * t135;
         const double across_84 = across_by_q71 - 0.008 * across_by_y_by_q71;
         const double half_square_by_10 = across_84 - strand_y_5 * layer_0_y_by_q71;
-        const double length_5_by_q71 = half_square_by_10 * t135;
         const double across_slope_150 = across_by_y_by_q73 + 0.006 * across_by_y_squared_by_q73;
-        const double across_154 = across_by_q73 - 0.006 * across_slope_150;
-        const double strand_y_by_6 = layer_0_y_by_q73 + 0.006 * u_y_by_q73;
         const double strand_y_4 = 0.006 + layer_0_y - 0.006 * u_y;
-        const double half_square_by_84 = across_154 - strand_y_4 * strand_y_by_6;
-        const double across_slope_6 = twice_across_2 - 0.006 * twice_across_4;
-        const double across_8 = twice_across - 0.006 * across_slope_6;
+        const double half_square_by_84 = across_by_q73 - 0.006 * across_slope_150 - strand_y_4
+            * (layer_0_y_by_q73 + 0.006 * u_y_by_q73);
+        const double across_8 = twice_across - 0.006 * (twice_across_2 - 0.006 * twice_across_4);
         const double length_4 = sinew_sqrt(across_8 + strand_y_4 * strand_y_4);
         const double t136 = 1.0 / length_4;
-        const double length_4_by_q73 = half_square_by_84 * t136;
         const double across_82 = across_by_q71 - 0.006 * across_by_y_by_q71;
         const double half_square_by_8 = across_82 - strand_y_4 * layer_0_y_by_q71;
-        const double length_4_by_q71 = half_square_by_8 * t136;
-        const double across_slope_148 = across_by_y_by_q73 + t108;
-        const double across_152 = across_by_q73 - 0.005 * across_slope_148;
-        const double strand_y_by_4 = layer_0_y_by_q73 + t109;
+        const double across_152 = across_by_q73 - 0.005 * (across_by_y_by_q73 + t108);
         const double strand_y_3 = 0.004 + layer_0_y - t110;
-        const double half_square_by_82 = across_152 - strand_y_3 * strand_y_by_4;
-        const double across_slope_4 = twice_across_2 - t111;
-        const double across_6 = twice_across - 0.005 * across_slope_4;
+        const double half_square_by_82 = across_152 - strand_y_3 * (layer_0_y_by_q73 + t109);
+        const double across_6 = twice_across - 0.005 * (twice_across_2 - t111);
         const double length_3 = sinew_sqrt(across_6 + strand_y_3 * strand_y_3);
         const double t137 = 1.0 / length_3;
-        const double length_3_by_q73 = half_square_by_82 * t137;
         const double across_80 = across_by_q71 - 0.005 * across_by_y_by_q71;
         const double half_square_by_6 = across_80 - strand_y_3 * layer_0_y_by_q71;
-        const double length_3_by_q71 = half_square_by_6 * t137;
         const double R21y = c1 * s2;
         const double t138 = 0.005 * R21y;
         const double t139 = 0.006 * s1;
@@ -1628,29 +1353,22 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double pB_length_tox_by_q_1 = t150 + t151;
         const double t152 = 0.005 * s2;
         const double t153 = 0.047 * c2;
-        const double pB_length_toz_by_q_1 = t152 - t153;
-        const double t154 = B_lengthdz * pB_length_toz_by_q_1;
+        const double t154 = B_lengthdz * (t152 - t153);
         const double t155 = 0.005 * R22x;
         const double t156 = 0.047 * R22y;
         const double pB_length_toy_by_q_1 = t155 + t156;
         const double t157 = t154 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
             * pB_length_toy_by_q_1;
-        const double D_length_by_q_1 = t157 * t149;
         const double D_length_by_q_0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx)
             * t149;
-        const double across_slope_146 = across_by_y_by_q73 + t113;
-        const double across_150 = across_by_q73 - 0.003 * across_slope_146;
-        const double strand_y_by_2 = layer_0_y_by_q73 + t114;
+        const double across_150 = across_by_q73 - 0.003 * (across_by_y_by_q73 + t113);
         const double strand_y_2 = 0.003 + layer_0_y - t115;
-        const double half_square_by_80 = across_150 - strand_y_2 * strand_y_by_2;
-        const double across_slope_2 = twice_across_2 - t116;
-        const double across_4 = twice_across - 0.003 * across_slope_2;
+        const double half_square_by_80 = across_150 - strand_y_2 * (layer_0_y_by_q73 + t114);
+        const double across_4 = twice_across - 0.003 * (twice_across_2 - t116);
         const double length_2 = sinew_sqrt(across_4 + strand_y_2 * strand_y_2);
         const double t158 = 1.0 / length_2;
-        const double length_2_by_q73 = half_square_by_80 * t158;
         const double across_78 = across_by_q71 - 0.003 * across_by_y_by_q71;
         const double half_square_by_4 = across_78 - strand_y_2 * layer_0_y_by_q71;
-        const double length_2_by_q71 = half_square_by_4 * t158;
         const double t159 = t138 + t139;
         const double pC_length_tox = t159 + t141;
         const double C_lengthdx = 0.002 - pC_length_tox;
@@ -1663,27 +1381,21 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
             * C_lengthdy);
         const double t162 = 1.0 / C_length;
         const double pA_length_tox_by_q_1 = t150 - t151;
-        const double pA_length_toz_by_q_1 = t152 + t153;
-        const double t163 = A_lengthdz * pA_length_toz_by_q_1;
+        const double t163 = A_lengthdz * (t152 + t153);
         const double pA_length_toy_by_q_1 = t155 - t156;
         const double t164 = t163 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
             * pA_length_toy_by_q_1;
-        const double C_length_by_q_1 = t164 * t162;
         const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx)
             * t162;
         const double across_slope_144 = across_by_y_by_q73 + 0.001 * across_by_y_squared_by_q73;
-        const double across_148 = across_by_q73 - 0.001 * across_slope_144;
-        const double strand_y_by = layer_0_y_by_q73 + 0.001 * u_y_by_q73;
         const double strand_y_1 = 0.001 + layer_0_y - 0.001 * u_y;
-        const double half_square_by_78 = across_148 - strand_y_1 * strand_y_by;
-        const double across_slope = twice_across_2 - 0.001 * twice_across_4;
-        const double across_2 = twice_across - 0.001 * across_slope;
+        const double half_square_by_78 = across_by_q73 - 0.001 * across_slope_144 - strand_y_1
+            * (layer_0_y_by_q73 + 0.001 * u_y_by_q73);
+        const double across_2 = twice_across - 0.001 * (twice_across_2 - 0.001 * twice_across_4);
         const double length_1 = sinew_sqrt(across_2 + strand_y_1 * strand_y_1);
         const double t165 = 1.0 / length_1;
-        const double length_1_by_q73 = half_square_by_78 * t165;
         const double across_76 = across_by_q71 - 0.001 * across_by_y_by_q71;
         const double half_square_by_2 = across_76 - strand_y_1 * layer_0_y_by_q71;
-        const double length_1_by_q71 = half_square_by_2 * t165;
         const double pB_length_tox = t159 - t141;
         const double B_lengthdx = 0.002 + pB_length_tox;
         const double pB_length_toy = t161 - t148;
@@ -1693,15 +1405,12 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double t166 = 1.0 / B_length;
         const double t167 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
             + t154;
-        const double B_length_by_q_1 = t167 * t166;
         const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx)
             * t166;
         const double half_square_by_76 = across_by_q73 - layer_0_y * layer_0_y_by_q73;
         const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
         const double t168 = 1.0 / length_0;
-        const double length_0_by_q73 = half_square_by_76 * t168;
         const double half_square_by = across_by_q71 - layer_0_y * layer_0_y_by_q71;
-        const double length_0_by_q71 = half_square_by * t168;
         const double pA_length_tox = t140 + t141;
         const double A_lengthdx = 0.002 - pA_length_tox;
         const double pA_length_toy = t147 + t148;
@@ -1711,11 +1420,10 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         const double t169 = 1.0 / A_length;
         const double t170 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
             - t163;
-        const double A_length_by_q_1 = t170 * t169;
         const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx)
             * t169;
         P[state] = -A_length_by_q_0;
-        P[1 * n + state] = -A_length_by_q_1;
+        P[1 * n + state] = -(t170 * t169);
         P[2 * n + state] = 0.0;
         P[3 * n + state] = 0.0;
         P[4 * n + state] = 0.0;
@@ -1733,10 +1441,10 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[16 * n + state] = 0.0;
         P[17 * n + state] = 0.0;
         P[18 * n + state] = 0.0;
-        P[19 * n + state] = length_0_by_q71;
-        P[20 * n + state] = -length_0_by_q73;
+        P[19 * n + state] = half_square_by * t168;
+        P[20 * n + state] = -(half_square_by_76 * t168);
         P[21 * n + state] = B_length_by_q_0;
-        P[22 * n + state] = B_length_by_q_1;
+        P[22 * n + state] = t167 * t166;
         P[23 * n + state] = 0.0;
         P[24 * n + state] = 0.0;
         P[25 * n + state] = 0.0;
@@ -1754,10 +1462,10 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[37 * n + state] = 0.0;
         P[38 * n + state] = 0.0;
         P[39 * n + state] = 0.0;
-        P[40 * n + state] = length_1_by_q71;
-        P[41 * n + state] = -length_1_by_q73;
+        P[40 * n + state] = half_square_by_2 * t165;
+        P[41 * n + state] = -(half_square_by_78 * t165);
         P[42 * n + state] = C_length_by_q_0;
-        P[43 * n + state] = C_length_by_q_1;
+        P[43 * n + state] = t164 * t162;
         P[44 * n + state] = 0.0;
         P[45 * n + state] = 0.0;
         P[46 * n + state] = 0.0;
@@ -1775,10 +1483,10 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[58 * n + state] = 0.0;
         P[59 * n + state] = 0.0;
         P[60 * n + state] = 0.0;
-        P[61 * n + state] = length_2_by_q71;
-        P[62 * n + state] = -length_2_by_q73;
+        P[61 * n + state] = half_square_by_4 * t158;
+        P[62 * n + state] = -(half_square_by_80 * t158);
         P[63 * n + state] = -D_length_by_q_0;
-        P[64 * n + state] = D_length_by_q_1;
+        P[64 * n + state] = t157 * t149;
         P[65 * n + state] = 0.0;
         P[66 * n + state] = 0.0;
         P[67 * n + state] = 0.0;
@@ -1796,8 +1504,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[79 * n + state] = 0.0;
         P[80 * n + state] = 0.0;
         P[81 * n + state] = 0.0;
-        P[82 * n + state] = length_3_by_q71;
-        P[83 * n + state] = -length_3_by_q73;
+        P[82 * n + state] = half_square_by_6 * t137;
+        P[83 * n + state] = -(half_square_by_82 * t137);
         P[84 * n + state] = 0.0;
         P[85 * n + state] = 0.0;
         P[86 * n + state] = 0.0065;
@@ -1817,8 +1525,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[100 * n + state] = 0.0;
         P[101 * n + state] = 0.0;
         P[102 * n + state] = 0.0;
-        P[103 * n + state] = length_4_by_q71;
-        P[104 * n + state] = -length_4_by_q73;
+        P[103 * n + state] = half_square_by_8 * t136;
+        P[104 * n + state] = -(half_square_by_84 * t136);
         P[105 * n + state] = 0.0;
         P[106 * n + state] = 0.0;
         P[107 * n + state] = -0.0065;
@@ -1838,8 +1546,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[121 * n + state] = 0.0;
         P[122 * n + state] = 0.0;
         P[123 * n + state] = 0.0;
-        P[124 * n + state] = length_5_by_q71;
-        P[125 * n + state] = -length_5_by_q73;
+        P[124 * n + state] = half_square_by_10 * t135;
+        P[125 * n + state] = -(half_square_by_86 * t135);
         P[126 * n + state] = 0.0;
         P[127 * n + state] = 0.0;
         P[128 * n + state] = -0.0065;
@@ -1859,8 +1567,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[142 * n + state] = 0.0;
         P[143 * n + state] = 0.0;
         P[144 * n + state] = 0.0;
-        P[145 * n + state] = length_6_by_q71;
-        P[146 * n + state] = -length_6_by_q73;
+        P[145 * n + state] = half_square_by_12 * t134;
+        P[146 * n + state] = -(half_square_by_88 * t134);
         P[147 * n + state] = 0.0;
         P[148 * n + state] = 0.0;
         P[149 * n + state] = 0.0065;
@@ -1880,8 +1588,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[163 * n + state] = 0.0;
         P[164 * n + state] = 0.0;
         P[165 * n + state] = 0.0;
-        P[166 * n + state] = length_7_by_q71;
-        P[167 * n + state] = -length_7_by_q73;
+        P[166 * n + state] = half_square_by_14 * t133;
+        P[167 * n + state] = -(half_square_by_90 * t133);
         P[168 * n + state] = 0.0;
         P[169 * n + state] = 0.0;
         P[170 * n + state] = 0.0;
@@ -1901,8 +1609,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[184 * n + state] = 0.0;
         P[185 * n + state] = 0.0;
         P[186 * n + state] = 0.0;
-        P[187 * n + state] = length_8_by_q71;
-        P[188 * n + state] = -length_8_by_q73;
+        P[187 * n + state] = half_square_by_16 * t132;
+        P[188 * n + state] = -(half_square_by_92 * t132);
         P[189 * n + state] = 0.0;
         P[190 * n + state] = 0.0;
         P[191 * n + state] = 0.0;
@@ -1922,8 +1630,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[205 * n + state] = 0.0;
         P[206 * n + state] = 0.0;
         P[207 * n + state] = 0.0;
-        P[208 * n + state] = length_9_by_q71;
-        P[209 * n + state] = -length_9_by_q73;
+        P[208 * n + state] = half_square_by_18 * t131;
+        P[209 * n + state] = -(half_square_by_94 * t131);
         P[210 * n + state] = 0.0;
         P[211 * n + state] = 0.0;
         P[212 * n + state] = 0.0;
@@ -1943,8 +1651,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[226 * n + state] = 0.0;
         P[227 * n + state] = 0.0;
         P[228 * n + state] = 0.0;
-        P[229 * n + state] = length_10_by_q71;
-        P[230 * n + state] = -length_10_by_q73;
+        P[229 * n + state] = half_square_by_20 * t130;
+        P[230 * n + state] = -(half_square_by_96 * t130);
         P[231 * n + state] = 0.0;
         P[232 * n + state] = 0.0;
         P[233 * n + state] = 0.0;
@@ -1964,8 +1672,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[247 * n + state] = 0.0;
         P[248 * n + state] = 0.0;
         P[249 * n + state] = 0.0;
-        P[250 * n + state] = length_11_by_q71;
-        P[251 * n + state] = -length_11_by_q73;
+        P[250 * n + state] = half_square_by_22 * t129;
+        P[251 * n + state] = -(half_square_by_98 * t129);
         P[252 * n + state] = 0.0;
         P[253 * n + state] = 0.0;
         P[254 * n + state] = 0.0;
@@ -1985,8 +1693,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[268 * n + state] = 0.0;
         P[269 * n + state] = 0.0;
         P[270 * n + state] = 0.0;
-        P[271 * n + state] = length_12_by_q71;
-        P[272 * n + state] = -length_12_by_q73;
+        P[271 * n + state] = half_square_by_24 * t128;
+        P[272 * n + state] = -(half_square_by_100 * t128);
         P[273 * n + state] = 0.0;
         P[274 * n + state] = 0.0;
         P[275 * n + state] = 0.0;
@@ -2006,8 +1714,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[289 * n + state] = 0.0;
         P[290 * n + state] = 0.0;
         P[291 * n + state] = 0.0;
-        P[292 * n + state] = length_13_by_q71;
-        P[293 * n + state] = -length_13_by_q73;
+        P[292 * n + state] = half_square_by_26 * t127;
+        P[293 * n + state] = -(half_square_by_102 * t127);
         P[294 * n + state] = 0.0;
         P[295 * n + state] = 0.0;
         P[296 * n + state] = 0.0;
@@ -2027,8 +1735,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[310 * n + state] = 0.0;
         P[311 * n + state] = 0.0;
         P[312 * n + state] = 0.0;
-        P[313 * n + state] = length_14_by_q71;
-        P[314 * n + state] = -length_14_by_q73;
+        P[313 * n + state] = half_square_by_28 * t126;
+        P[314 * n + state] = -(half_square_by_104 * t126);
         P[315 * n + state] = 0.0;
         P[316 * n + state] = 0.0;
         P[317 * n + state] = 0.0;
@@ -2048,8 +1756,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[331 * n + state] = 0.0;
         P[332 * n + state] = 0.0;
         P[333 * n + state] = 0.0;
-        P[334 * n + state] = length_15_by_q71;
-        P[335 * n + state] = -length_15_by_q73;
+        P[334 * n + state] = half_square_by_30 * t125;
+        P[335 * n + state] = -(half_square_by_106 * t125);
         P[336 * n + state] = 0.0;
         P[337 * n + state] = 0.0;
         P[338 * n + state] = 0.0;
@@ -2069,8 +1777,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[352 * n + state] = 0.0;
         P[353 * n + state] = 0.0;
         P[354 * n + state] = 0.0;
-        P[355 * n + state] = length_16_by_q71;
-        P[356 * n + state] = -length_16_by_q73;
+        P[355 * n + state] = half_square_by_32 * t124;
+        P[356 * n + state] = -(half_square_by_108 * t124);
         P[357 * n + state] = 0.0;
         P[358 * n + state] = 0.0;
         P[359 * n + state] = 0.0;
@@ -2090,8 +1798,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[373 * n + state] = 0.0;
         P[374 * n + state] = 0.0;
         P[375 * n + state] = 0.0;
-        P[376 * n + state] = length_17_by_q71;
-        P[377 * n + state] = -length_17_by_q73;
+        P[376 * n + state] = half_square_by_34 * t123;
+        P[377 * n + state] = -(half_square_by_110 * t123);
         P[378 * n + state] = 0.0;
         P[379 * n + state] = 0.0;
         P[380 * n + state] = 0.0;
@@ -2111,8 +1819,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[394 * n + state] = 0.0;
         P[395 * n + state] = 0.0;
         P[396 * n + state] = 0.0;
-        P[397 * n + state] = length_18_by_q71;
-        P[398 * n + state] = -length_18_by_q73;
+        P[397 * n + state] = half_square_by_36 * t122;
+        P[398 * n + state] = -(half_square_by_112 * t122);
         P[399 * n + state] = 0.0;
         P[400 * n + state] = 0.0;
         P[401 * n + state] = 0.0;
@@ -2132,8 +1840,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[415 * n + state] = 0.0;
         P[416 * n + state] = 0.0;
         P[417 * n + state] = 0.0;
-        P[418 * n + state] = length_19_by_q71;
-        P[419 * n + state] = -length_19_by_q73;
+        P[418 * n + state] = half_square_by_38 * t119;
+        P[419 * n + state] = -(half_square_by_114 * t119);
         P[420 * n + state] = 0.0;
         P[421 * n + state] = 0.0;
         P[422 * n + state] = 0.0;
@@ -2153,8 +1861,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[436 * n + state] = 0.0;
         P[437 * n + state] = 0.0;
         P[438 * n + state] = 0.0;
-        P[439 * n + state] = length_20_by_q71;
-        P[440 * n + state] = -length_20_by_q73;
+        P[439 * n + state] = half_square_by_40 * t118;
+        P[440 * n + state] = -(half_square_by_116 * t118);
         P[441 * n + state] = 0.0;
         P[442 * n + state] = 0.0;
         P[443 * n + state] = 0.0;
@@ -2174,8 +1882,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[457 * n + state] = 0.0;
         P[458 * n + state] = 0.0;
         P[459 * n + state] = 0.0;
-        P[460 * n + state] = length_21_by_q71;
-        P[461 * n + state] = -length_21_by_q73;
+        P[460 * n + state] = half_square_by_42 * t117;
+        P[461 * n + state] = -(half_square_by_118 * t117);
         P[462 * n + state] = 0.0;
         P[463 * n + state] = 0.0;
         P[464 * n + state] = 0.0;
@@ -2195,8 +1903,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[478 * n + state] = 0.0;
         P[479 * n + state] = 0.0;
         P[480 * n + state] = 0.0;
-        P[481 * n + state] = length_22_by_q71;
-        P[482 * n + state] = -length_22_by_q73;
+        P[481 * n + state] = half_square_by_44 * t112;
+        P[482 * n + state] = -(half_square_by_120 * t112);
         P[483 * n + state] = 0.0;
         P[484 * n + state] = 0.0;
         P[485 * n + state] = 0.0;
@@ -2216,8 +1924,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[499 * n + state] = 0.0;
         P[500 * n + state] = 0.0;
         P[501 * n + state] = 0.0;
-        P[502 * n + state] = length_23_by_q71;
-        P[503 * n + state] = -length_23_by_q73;
+        P[502 * n + state] = half_square_by_46 * t107;
+        P[503 * n + state] = -(half_square_by_122 * t107);
         P[504 * n + state] = 0.0;
         P[505 * n + state] = 0.0;
         P[506 * n + state] = 0.0;
@@ -2237,8 +1945,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[520 * n + state] = 0.0;
         P[521 * n + state] = 0.0;
         P[522 * n + state] = 0.0;
-        P[523 * n + state] = length_24_by_q71;
-        P[524 * n + state] = -length_24_by_q73;
+        P[523 * n + state] = half_square_by_48 * t106;
+        P[524 * n + state] = -(half_square_by_124 * t106);
         P[525 * n + state] = 0.0;
         P[526 * n + state] = 0.0;
         P[527 * n + state] = 0.0;
@@ -2258,8 +1966,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[541 * n + state] = 0.0;
         P[542 * n + state] = 0.0;
         P[543 * n + state] = 0.0;
-        P[544 * n + state] = length_25_by_q71;
-        P[545 * n + state] = -length_25_by_q73;
+        P[544 * n + state] = half_square_by_50 * t101;
+        P[545 * n + state] = -(half_square_by_126 * t101);
         P[546 * n + state] = 0.0;
         P[547 * n + state] = 0.0;
         P[548 * n + state] = 0.0;
@@ -2279,8 +1987,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[562 * n + state] = 0.0;
         P[563 * n + state] = 0.0;
         P[564 * n + state] = 0.0;
-        P[565 * n + state] = length_26_by_q71;
-        P[566 * n + state] = -length_26_by_q73;
+        P[565 * n + state] = half_square_by_52 * t100;
+        P[566 * n + state] = -(half_square_by_128 * t100);
         P[567 * n + state] = 0.0;
         P[568 * n + state] = 0.0;
         P[569 * n + state] = 0.0;
@@ -2300,8 +2008,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[583 * n + state] = 0.0;
         P[584 * n + state] = 0.0;
         P[585 * n + state] = 0.0;
-        P[586 * n + state] = length_27_by_q71;
-        P[587 * n + state] = -length_27_by_q73;
+        P[586 * n + state] = half_square_by_54 * t95;
+        P[587 * n + state] = -(half_square_by_130 * t95);
         P[588 * n + state] = 0.0;
         P[589 * n + state] = 0.0;
         P[590 * n + state] = 0.0;
@@ -2321,8 +2029,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[604 * n + state] = 0.0;
         P[605 * n + state] = 0.0;
         P[606 * n + state] = 0.0;
-        P[607 * n + state] = length_28_by_q71;
-        P[608 * n + state] = -length_28_by_q73;
+        P[607 * n + state] = half_square_by_56 * t92;
+        P[608 * n + state] = -(half_square_by_132 * t92);
         P[609 * n + state] = 0.0;
         P[610 * n + state] = 0.0;
         P[611 * n + state] = 0.0;
@@ -2342,8 +2050,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[625 * n + state] = 0.0;
         P[626 * n + state] = 0.0;
         P[627 * n + state] = 0.0;
-        P[628 * n + state] = length_29_by_q71;
-        P[629 * n + state] = -length_29_by_q73;
+        P[628 * n + state] = half_square_by_58 * t91;
+        P[629 * n + state] = -(half_square_by_134 * t91);
         P[630 * n + state] = 0.0;
         P[631 * n + state] = 0.0;
         P[632 * n + state] = 0.0;
@@ -2363,8 +2071,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[646 * n + state] = 0.0052;
         P[647 * n + state] = 0.0;
         P[648 * n + state] = 0.0;
-        P[649 * n + state] = length_30_by_q71;
-        P[650 * n + state] = -length_30_by_q73;
+        P[649 * n + state] = half_square_by_60 * t86;
+        P[650 * n + state] = -(half_square_by_136 * t86);
         P[651 * n + state] = 0.0;
         P[652 * n + state] = 0.0;
         P[653 * n + state] = 0.0;
@@ -2384,8 +2092,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[667 * n + state] = -0.0052;
         P[668 * n + state] = 0.0;
         P[669 * n + state] = 0.0;
-        P[670 * n + state] = length_31_by_q71;
-        P[671 * n + state] = -length_31_by_q73;
+        P[670 * n + state] = half_square_by_62 * t85;
+        P[671 * n + state] = -(half_square_by_138 * t85);
         P[672 * n + state] = 0.0;
         P[673 * n + state] = 0.0;
         P[674 * n + state] = 0.0;
@@ -2405,8 +2113,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[688 * n + state] = 0.0052;
         P[689 * n + state] = 0.0;
         P[690 * n + state] = 0.0;
-        P[691 * n + state] = length_32_by_q71;
-        P[692 * n + state] = -length_32_by_q73;
+        P[691 * n + state] = half_square_by_64 * t80;
+        P[692 * n + state] = -(half_square_by_140 * t80);
         P[693 * n + state] = 0.0;
         P[694 * n + state] = 0.0;
         P[695 * n + state] = 0.0;
@@ -2426,8 +2134,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[709 * n + state] = -0.0052;
         P[710 * n + state] = 0.0;
         P[711 * n + state] = 0.0;
-        P[712 * n + state] = length_33_by_q71;
-        P[713 * n + state] = -length_33_by_q73;
+        P[712 * n + state] = half_square_by_66 * t75;
+        P[713 * n + state] = -(half_square_by_142 * t75);
         P[714 * n + state] = 0.0;
         P[715 * n + state] = 0.0;
         P[716 * n + state] = 0.0;
@@ -2447,8 +2155,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[730 * n + state] = 0.0;
         P[731 * n + state] = 0.0088;
         P[732 * n + state] = 0.0;
-        P[733 * n + state] = length_34_by_q71;
-        P[734 * n + state] = -length_34_by_q73;
+        P[733 * n + state] = half_square_by_68 * t74;
+        P[734 * n + state] = -(half_square_by_144 * t74);
         P[735 * n + state] = 0.0;
         P[736 * n + state] = 0.0;
         P[737 * n + state] = 0.0;
@@ -2468,8 +2176,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[751 * n + state] = 0.0;
         P[752 * n + state] = -0.0088;
         P[753 * n + state] = 0.0;
-        P[754 * n + state] = length_35_by_q71;
-        P[755 * n + state] = -length_35_by_q73;
+        P[754 * n + state] = half_square_by_70 * t69;
+        P[755 * n + state] = -(half_square_by_146 * t69);
         P[756 * n + state] = 0.0;
         P[757 * n + state] = 0.0;
         P[758 * n + state] = 0.0;
@@ -2489,8 +2197,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[772 * n + state] = 0.0;
         P[773 * n + state] = 0.0;
         P[774 * n + state] = 0.005;
-        P[775 * n + state] = length_36_by_q71;
-        P[776 * n + state] = -length_36_by_q73;
+        P[775 * n + state] = half_square_by_72 * t68;
+        P[776 * n + state] = -(half_square_by_148 * t68);
         P[777 * n + state] = 0.0;
         P[778 * n + state] = 0.0;
         P[779 * n + state] = 0.0;
@@ -2510,8 +2218,8 @@ void hand_coupling_matrix_batch(int count, const double *SINEW_RESTRICT q,
         P[793 * n + state] = 0.0;
         P[794 * n + state] = 0.0;
         P[795 * n + state] = -0.005;
-        P[796 * n + state] = length_37_by_q71;
-        P[797 * n + state] = -length_37_by_q73;
+        P[796 * n + state] = half_square_by_74 * t55;
+        P[797 * n + state] = -(half_square_by_150 * t55);
     }
 }
 
@@ -2531,8 +2239,7 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         double sin_q73, cos_q73;
         sinew_sincos(q_wrist[1 * n + state], &sin_q73, &cos_q73);
         const double B_y = 0.074565407529229 * cos_q73;
-        const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-        const double t1 = 1.0 / B_to_C0_squared;
+        const double t1 = 1.0 / (0.007324 - 0.084 * B_y);
         const double ratio = 0.003796 * t1;
         const double t2 = 21.0 - 500.0 * B_y;
         const double C_y = 0.002 * ratio * t2;
@@ -2582,8 +2289,7 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double t22 = -(t21 - t20);
         const double clearance_by_q71 = sinew_choose(t22, t19 * reach_by_q71 - t18 * limited_by_q71,
             1e-12 * reach_squared_by_q71);
-        const double clearance = sinew_max(t20, t21);
-        const double root = sinew_sqrt(clearance);
+        const double root = sinew_sqrt(sinew_max(t20, t21));
         const double t23 = 1.0 / root;
         const double root_by_q71 = 0.5 * clearance_by_q71 * t23;
         const double t24 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
@@ -2601,21 +2307,19 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double sin_A_by_q71 = (t28 - sin_A * reach_squared_by_q71) * t25;
         const double z_x_by_q71 = t26 - cos_q71 * z_plane_x_by_q71 + t27 + sin_q71 * sin_A_by_q71;
         const double M_z = sin_q71 * M_e;
-        const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
         const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
         const double t29 = cos_q71 * cos_A;
         const double x_plane_x = u_y * sin_A;
         const double t30 = sin_q71 * x_plane_x;
         const double x_x_by_q71 = t29 + cos_q71 * x_plane_x_by_q71 - t30 + sin_q71 * cos_A_by_q71;
-        const double t31 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+        const double t31 = M_z - 0.018 * z_x_by_q71 + 0.004 * x_x_by_q71;
         const double t32 = 0.01 * z_x_by_q71;
         const double y_z = sin_q71 * u_e;
         const double t33 = 0.011 * y_z;
         const double layer_0_x_by_q71 = t31 + t32 - t33;
         const double z_z = t26 + t27;
         const double origin_z = M_z - 0.018 * z_z;
-        const double x_z = t29 - t30;
-        const double t34 = 0.004 * x_z;
+        const double t34 = 0.004 * (t29 - t30);
         const double t35 = 0.01 * z_z;
         const double layer_0_z = 0.008 - origin_z - t34 - t35 + t33;
         const double y_x = cos_q71 * u_e;
@@ -2623,17 +2327,15 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double t37 = sin_q71 * sin_A;
         const double z_z_by_q71 = t36 + cos_q71 * sin_A_by_q71 - t37 + sin_q71 * z_plane_x_by_q71;
         const double M_x = cos_q71 * M_e;
-        const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
         const double t38 = cos_q71 * x_plane_x;
         const double t39 = sin_q71 * cos_A;
         const double x_z_by_q71 = t38 - cos_q71 * cos_A_by_q71 + t39 + sin_q71 * x_plane_x_by_q71;
-        const double t40 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+        const double t40 = M_x - 0.018 * z_z_by_q71 - 0.004 * x_z_by_q71;
         const double t41 = 0.01 * z_z_by_q71;
         const double t42 = 0.011 * y_x;
         const double layer_0_z_by_q71 = t40 + t41 - t42;
         const double z_x = t36 - t37;
-        const double x_x = t38 + t39;
-        const double t43 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+        const double t43 = 0.004 - M_x + 0.018 * z_x + 0.004 * (t38 + t39);
         const double t44 = 0.01 * z_x;
         const double layer_0_x = t43 - t44 + t42;
         const double across_by_y_by_q71 = y_x * (layer_0_z + layer_0_x_by_q71) - y_z * (layer_0_x
@@ -2641,14 +2343,12 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double across_by_q71 = layer_0_x * layer_0_x_by_q71 - layer_0_z * layer_0_z_by_q71;
         const double across_76 = across_by_q71 - 0.001 * across_by_y_by_q71;
         const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-        const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-        const double t45 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
+        const double t45 = 0.018 * z_plane_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
         const double t46 = 0.01 * z_plane_y_by_q71;
         const double layer_0_y_by_q71 = t45 - t46;
         const double z_plane_y = u_e * cos_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double x_plane_y = u_e * sin_A;
-        const double t47 = 0.004 * x_plane_y;
+        const double t47 = 0.004 * (u_e * sin_A);
         const double t48 = 0.01 * z_plane_y;
         const double t49 = 0.011 * u_y;
         const double layer_0_y = 0.007 - origin_y - t47 + t48 + t49;
@@ -2660,17 +2360,15 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double twice_across_2 = across_by_y + across_by_y;
         const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
         const double twice_across_4 = across_by_y_squared + across_by_y_squared;
-        const double across_slope = twice_across_2 - 0.001 * twice_across_4;
-        const double across_2 = twice_across - 0.001 * across_slope;
+        const double across_2 = twice_across - 0.001 * (twice_across_2 - 0.001 * twice_across_4);
         const double length_1 = sinew_sqrt(across_2 + strand_y_1 * strand_y_1);
         const double t50 = 1.0 / length_1;
-        const double length_1_by_q71 = half_square_by_2 * t50;
         const double half_square_by = across_by_q71 - layer_0_y * layer_0_y_by_q71;
         const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
         const double t51 = 1.0 / length_0;
-        const double length_0_by_q71 = half_square_by * t51;
-        const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-        const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t1;
+        const double t52 = f[state] * (half_square_by * t51) + f[1 * n + state] * (half_square_by_2
+            * t50);
+        const double ratio_by_q73 = ratio * (0.084 * B_e) * t1;
         const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t2;
         const double M_y_by_q73 = t4 + 0.5 * C_y_by_q73;
         const double C_e_by_q73 = B_e * ratio_by_q73 - B_y * ratio;
@@ -2690,317 +2388,240 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73,
             1e-12 * reach_squared_by_q73);
         const double root_by_q73 = 0.5 * clearance_by_q73 * t23;
-        const double t52 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+        const double t53 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
             * reach_squared_by_q73;
-        const double cos_A_by_q73 = t52 * t25;
+        const double cos_A_by_q73 = t53 * t25;
         const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-        const double t53 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+        const double t54 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
             * reach_squared_by_q73;
-        const double sin_A_by_q73 = t53 * t25;
+        const double sin_A_by_q73 = t54 * t25;
         const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
-        const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-        const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
+        const double origin_x_by_q73 = cos_q71 * M_e_by_q73 - 0.018 * z_x_by_q73;
         const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
         const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
-        const double t54 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-        const double t55 = 0.01 * z_x_by_q73;
+        const double t55 = origin_x_by_q73 - 0.004 * x_x_by_q73;
+        const double t56 = 0.01 * z_x_by_q73;
         const double y_x_by_q73 = cos_q71 * u_e_by_q73;
-        const double layer_0_x_by_q73 = t54 + t55 - 0.011 * y_x_by_q73;
+        const double layer_0_x_by_q73 = t55 + t56 - 0.011 * y_x_by_q73;
         const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
-        const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-        const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
+        const double origin_z_by_q73 = sin_q71 * M_e_by_q73 - 0.018 * z_z_by_q73;
         const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
-        const double t56 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-        const double t57 = 0.01 * z_z_by_q73;
+        const double t57 = origin_z_by_q73 + 0.004 * x_z_by_q73;
+        const double t58 = 0.01 * z_z_by_q73;
         const double y_z_by_q73 = sin_q71 * u_e_by_q73;
-        const double layer_0_z_by_q73 = t56 + t57 - 0.011 * y_z_by_q73;
+        const double layer_0_z_by_q73 = t57 + t58 - 0.011 * y_z_by_q73;
         const double across_by_y_by_q73 = y_x * layer_0_x_by_q73 + y_z * layer_0_z_by_q73
             - layer_0_x * y_x_by_q73 - layer_0_z * y_z_by_q73;
         const double across_by_y_squared_by_q73 = y_x * y_x_by_q73 + y_z * y_z_by_q73;
         const double across_slope_144 = across_by_y_by_q73 + 0.001 * across_by_y_squared_by_q73;
         const double across_by_q73 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73;
-        const double across_148 = across_by_q73 - 0.001 * across_slope_144;
-        const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
         const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-        const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-        const double t58 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-        const double t59 = 0.01 * z_plane_y_by_q73;
-        const double t60 = 0.011 * u_y_by_q73;
-        const double layer_0_y_by_q73 = t58 + t59 - t60;
-        const double strand_y_by = layer_0_y_by_q73 + 0.001 * u_y_by_q73;
-        const double half_square_by_78 = across_148 - strand_y_1 * strand_y_by;
-        const double length_1_by_q73 = half_square_by_78 * t50;
+        const double t59 = M_y_by_q73 - 0.018 * z_plane_y_by_q73 - 0.004 * (u_e * sin_A_by_q73
+            + sin_A * u_e_by_q73);
+        const double t60 = 0.01 * z_plane_y_by_q73;
+        const double t61 = 0.011 * u_y_by_q73;
+        const double layer_0_y_by_q73 = t59 + t60 - t61;
+        const double half_square_by_78 = across_by_q73 - 0.001 * across_slope_144 - strand_y_1
+            * (layer_0_y_by_q73 + 0.001 * u_y_by_q73);
         const double half_square_by_76 = across_by_q73 - layer_0_y * layer_0_y_by_q73;
-        const double length_0_by_q73 = half_square_by_76 * t51;
+        const double t62 = f[state] * (half_square_by_76 * t51) + f[1 * n + state]
+            * (half_square_by_78 * t50);
         const double across_78 = across_by_q71 - 0.003 * across_by_y_by_q71;
-        const double t61 = 0.003 * u_y;
-        const double strand_y_2 = 0.003 + layer_0_y - t61;
+        const double t63 = 0.003 * u_y;
+        const double strand_y_2 = 0.003 + layer_0_y - t63;
         const double half_square_by_4 = across_78 - strand_y_2 * layer_0_y_by_q71;
-        const double t62 = 0.003 * twice_across_4;
-        const double across_slope_2 = twice_across_2 - t62;
-        const double across_4 = twice_across - 0.003 * across_slope_2;
+        const double t64 = 0.003 * twice_across_4;
+        const double across_4 = twice_across - 0.003 * (twice_across_2 - t64);
         const double length_2 = sinew_sqrt(across_4 + strand_y_2 * strand_y_2);
-        const double t63 = 1.0 / length_2;
-        const double length_2_by_q71 = half_square_by_4 * t63;
-        const double t64 = f[state] * length_0_by_q71 + f[1 * n + state] * length_1_by_q71 + f[2 * n
-            + state] * length_2_by_q71;
-        const double t65 = 0.003 * across_by_y_squared_by_q73;
-        const double across_slope_146 = across_by_y_by_q73 + t65;
-        const double across_150 = across_by_q73 - 0.003 * across_slope_146;
-        const double t66 = 0.003 * u_y_by_q73;
-        const double strand_y_by_2 = layer_0_y_by_q73 + t66;
-        const double half_square_by_80 = across_150 - strand_y_2 * strand_y_by_2;
-        const double length_2_by_q73 = half_square_by_80 * t63;
-        const double t67 = f[state] * length_0_by_q73 + f[1 * n + state] * length_1_by_q73 + f[2 * n
-            + state] * length_2_by_q73;
+        const double t65 = 1.0 / length_2;
+        const double t66 = 0.003 * across_by_y_squared_by_q73;
+        const double across_150 = across_by_q73 - 0.003 * (across_by_y_by_q73 + t66);
+        const double t67 = 0.003 * u_y_by_q73;
+        const double half_square_by_80 = across_150 - strand_y_2 * (layer_0_y_by_q73 + t67);
         const double across_80 = across_by_q71 - 0.005 * across_by_y_by_q71;
         const double t68 = 0.005 * u_y;
         const double strand_y_3 = 0.004 + layer_0_y - t68;
         const double half_square_by_6 = across_80 - strand_y_3 * layer_0_y_by_q71;
         const double t69 = 0.005 * twice_across_4;
-        const double across_slope_4 = twice_across_2 - t69;
-        const double across_6 = twice_across - 0.005 * across_slope_4;
+        const double across_6 = twice_across - 0.005 * (twice_across_2 - t69);
         const double length_3 = sinew_sqrt(across_6 + strand_y_3 * strand_y_3);
         const double t70 = 1.0 / length_3;
-        const double length_3_by_q71 = half_square_by_6 * t70;
-        const double t71 = 0.005 * across_by_y_squared_by_q73;
-        const double across_slope_148 = across_by_y_by_q73 + t71;
-        const double across_152 = across_by_q73 - 0.005 * across_slope_148;
-        const double t72 = 0.005 * u_y_by_q73;
-        const double strand_y_by_4 = layer_0_y_by_q73 + t72;
-        const double half_square_by_82 = across_152 - strand_y_3 * strand_y_by_4;
-        const double length_3_by_q73 = half_square_by_82 * t70;
+        const double t71 = t52 + f[2 * n + state] * (half_square_by_4 * t65) + f[3 * n + state]
+            * (half_square_by_6 * t70);
+        const double t72 = 0.005 * across_by_y_squared_by_q73;
+        const double across_152 = across_by_q73 - 0.005 * (across_by_y_by_q73 + t72);
+        const double t73 = 0.005 * u_y_by_q73;
+        const double half_square_by_82 = across_152 - strand_y_3 * (layer_0_y_by_q73 + t73);
+        const double t74 = t62 + f[2 * n + state] * (half_square_by_80 * t65) + f[3 * n + state]
+            * (half_square_by_82 * t70);
         const double across_82 = across_by_q71 - 0.006 * across_by_y_by_q71;
         const double strand_y_4 = 0.006 + layer_0_y - 0.006 * u_y;
         const double half_square_by_8 = across_82 - strand_y_4 * layer_0_y_by_q71;
-        const double across_slope_6 = twice_across_2 - 0.006 * twice_across_4;
-        const double across_8 = twice_across - 0.006 * across_slope_6;
+        const double across_8 = twice_across - 0.006 * (twice_across_2 - 0.006 * twice_across_4);
         const double length_4 = sinew_sqrt(across_8 + strand_y_4 * strand_y_4);
-        const double t73 = 1.0 / length_4;
-        const double length_4_by_q71 = half_square_by_8 * t73;
-        const double t74 = t64 + f[3 * n + state] * length_3_by_q71 + f[4 * n + state]
-            * length_4_by_q71;
+        const double t75 = 1.0 / length_4;
         const double across_slope_150 = across_by_y_by_q73 + 0.006 * across_by_y_squared_by_q73;
-        const double across_154 = across_by_q73 - 0.006 * across_slope_150;
-        const double strand_y_by_6 = layer_0_y_by_q73 + 0.006 * u_y_by_q73;
-        const double half_square_by_84 = across_154 - strand_y_4 * strand_y_by_6;
-        const double length_4_by_q73 = half_square_by_84 * t73;
-        const double t75 = t67 + f[3 * n + state] * length_3_by_q73 + f[4 * n + state]
-            * length_4_by_q73;
+        const double half_square_by_84 = across_by_q73 - 0.006 * across_slope_150 - strand_y_4
+            * (layer_0_y_by_q73 + 0.006 * u_y_by_q73);
         const double across_84 = across_by_q71 - 0.008 * across_by_y_by_q71;
         const double t76 = 0.008 * u_y;
         const double strand_y_5 = 0.008 + layer_0_y - t76;
         const double half_square_by_10 = across_84 - strand_y_5 * layer_0_y_by_q71;
         const double t77 = 0.008 * twice_across_4;
-        const double across_slope_8 = twice_across_2 - t77;
-        const double across_10 = twice_across - 0.008 * across_slope_8;
+        const double across_10 = twice_across - 0.008 * (twice_across_2 - t77);
         const double length_5 = sinew_sqrt(across_10 + strand_y_5 * strand_y_5);
         const double t78 = 1.0 / length_5;
-        const double length_5_by_q71 = half_square_by_10 * t78;
-        const double t79 = 0.008 * across_by_y_squared_by_q73;
-        const double across_slope_152 = across_by_y_by_q73 + t79;
-        const double across_156 = across_by_q73 - 0.008 * across_slope_152;
-        const double t80 = 0.008 * u_y_by_q73;
-        const double strand_y_by_8 = layer_0_y_by_q73 + t80;
-        const double half_square_by_86 = across_156 - strand_y_5 * strand_y_by_8;
-        const double length_5_by_q73 = half_square_by_86 * t78;
+        const double t79 = t71 + f[4 * n + state] * (half_square_by_8 * t75) + f[5 * n + state]
+            * (half_square_by_10 * t78);
+        const double t80 = 0.008 * across_by_y_squared_by_q73;
+        const double across_156 = across_by_q73 - 0.008 * (across_by_y_by_q73 + t80);
+        const double t81 = 0.008 * u_y_by_q73;
+        const double half_square_by_86 = across_156 - strand_y_5 * (layer_0_y_by_q73 + t81);
+        const double t82 = t74 + f[4 * n + state] * (half_square_by_84 * t75) + f[5 * n + state]
+            * (half_square_by_86 * t78);
         const double across_86 = across_by_q71 - 0.009 * across_by_y_by_q71;
         const double strand_y_6 = 0.009 + layer_0_y - 0.009 * u_y;
         const double half_square_by_12 = across_86 - strand_y_6 * layer_0_y_by_q71;
-        const double across_slope_10 = twice_across_2 - 0.009 * twice_across_4;
-        const double across_12 = twice_across - 0.009 * across_slope_10;
+        const double across_12 = twice_across - 0.009 * (twice_across_2 - 0.009 * twice_across_4);
         const double length_6 = sinew_sqrt(across_12 + strand_y_6 * strand_y_6);
-        const double t81 = 1.0 / length_6;
-        const double length_6_by_q71 = half_square_by_12 * t81;
-        const double t82 = t74 + f[5 * n + state] * length_5_by_q71 + f[6 * n + state]
-            * length_6_by_q71;
+        const double t83 = 1.0 / length_6;
         const double across_slope_154 = across_by_y_by_q73 + 0.009 * across_by_y_squared_by_q73;
-        const double across_158 = across_by_q73 - 0.009 * across_slope_154;
-        const double strand_y_by_10 = layer_0_y_by_q73 + 0.009 * u_y_by_q73;
-        const double half_square_by_88 = across_158 - strand_y_6 * strand_y_by_10;
-        const double length_6_by_q73 = half_square_by_88 * t81;
-        const double t83 = t75 + f[5 * n + state] * length_5_by_q73 + f[6 * n + state]
-            * length_6_by_q73;
+        const double half_square_by_88 = across_by_q73 - 0.009 * across_slope_154 - strand_y_6
+            * (layer_0_y_by_q73 + 0.009 * u_y_by_q73);
         const double across_88 = across_by_q71 - 0.011 * across_by_y_by_q71;
         const double strand_y_7 = 0.011 + layer_0_y - t49;
         const double half_square_by_14 = across_88 - strand_y_7 * layer_0_y_by_q71;
         const double t84 = 0.011 * twice_across_4;
-        const double across_slope_12 = twice_across_2 - t84;
-        const double across_14 = twice_across - 0.011 * across_slope_12;
+        const double across_14 = twice_across - 0.011 * (twice_across_2 - t84);
         const double length_7 = sinew_sqrt(across_14 + strand_y_7 * strand_y_7);
         const double t85 = 1.0 / length_7;
-        const double length_7_by_q71 = half_square_by_14 * t85;
-        const double t86 = 0.011 * across_by_y_squared_by_q73;
-        const double across_slope_156 = across_by_y_by_q73 + t86;
-        const double across_160 = across_by_q73 - 0.011 * across_slope_156;
-        const double strand_y_by_12 = layer_0_y_by_q73 + t60;
-        const double half_square_by_90 = across_160 - strand_y_7 * strand_y_by_12;
-        const double length_7_by_q73 = half_square_by_90 * t85;
-        const double t87 = f[4 * n + state] - f[5 * n + state] - f[6 * n + state] + f[7 * n
+        const double t86 = t79 + f[6 * n + state] * (half_square_by_12 * t83) + f[7 * n + state]
+            * (half_square_by_14 * t85);
+        const double t87 = 0.011 * across_by_y_squared_by_q73;
+        const double across_160 = across_by_q73 - 0.011 * (across_by_y_by_q73 + t87);
+        const double half_square_by_90 = across_160 - strand_y_7 * (layer_0_y_by_q73 + t61);
+        const double t88 = t82 + f[6 * n + state] * (half_square_by_88 * t83) + f[7 * n + state]
+            * (half_square_by_90 * t85);
+        const double t89 = f[4 * n + state] - f[5 * n + state] - f[6 * n + state] + f[7 * n
             + state];
         const double across_90 = across_by_q71 - 0.013 * across_by_y_by_q71;
-        const double t88 = 0.013 * u_y;
-        const double strand_y_8 = 0.012 + layer_0_y - t88;
+        const double t90 = 0.013 * u_y;
+        const double strand_y_8 = 0.012 + layer_0_y - t90;
         const double half_square_by_16 = across_90 - strand_y_8 * layer_0_y_by_q71;
-        const double t89 = 0.013 * twice_across_4;
-        const double across_slope_14 = twice_across_2 - t89;
-        const double across_16 = twice_across - 0.013 * across_slope_14;
+        const double t91 = 0.013 * twice_across_4;
+        const double across_16 = twice_across - 0.013 * (twice_across_2 - t91);
         const double length_8 = sinew_sqrt(across_16 + strand_y_8 * strand_y_8);
-        const double t90 = 1.0 / length_8;
-        const double length_8_by_q71 = half_square_by_16 * t90;
-        const double t91 = t82 + f[7 * n + state] * length_7_by_q71 + f[8 * n + state]
-            * length_8_by_q71;
-        const double t92 = 0.013 * across_by_y_squared_by_q73;
-        const double across_slope_158 = across_by_y_by_q73 + t92;
-        const double across_162 = across_by_q73 - 0.013 * across_slope_158;
-        const double t93 = 0.013 * u_y_by_q73;
-        const double strand_y_by_14 = layer_0_y_by_q73 + t93;
-        const double half_square_by_92 = across_162 - strand_y_8 * strand_y_by_14;
-        const double length_8_by_q73 = half_square_by_92 * t90;
-        const double t94 = t83 + f[7 * n + state] * length_7_by_q73 + f[8 * n + state]
-            * length_8_by_q73;
+        const double t92 = 1.0 / length_8;
+        const double t93 = 0.013 * across_by_y_squared_by_q73;
+        const double across_162 = across_by_q73 - 0.013 * (across_by_y_by_q73 + t93);
+        const double t94 = 0.013 * u_y_by_q73;
+        const double half_square_by_92 = across_162 - strand_y_8 * (layer_0_y_by_q73 + t94);
         const double t95 = 0.0065 * f[8 * n + state];
         const double across_92 = across_by_q71 - 0.014 * across_by_y_by_q71;
         const double strand_y_9 = 0.014 + layer_0_y - 0.014 * u_y;
         const double half_square_by_18 = across_92 - strand_y_9 * layer_0_y_by_q71;
-        const double across_slope_16 = twice_across_2 - 0.014 * twice_across_4;
-        const double across_18 = twice_across - 0.014 * across_slope_16;
+        const double across_18 = twice_across - 0.014 * (twice_across_2 - 0.014 * twice_across_4);
         const double length_9 = sinew_sqrt(across_18 + strand_y_9 * strand_y_9);
         const double t96 = 1.0 / length_9;
-        const double length_9_by_q71 = half_square_by_18 * t96;
+        const double t97 = t86 + f[8 * n + state] * (half_square_by_16 * t92) + f[9 * n + state]
+            * (half_square_by_18 * t96);
         const double across_slope_160 = across_by_y_by_q73 + 0.014 * across_by_y_squared_by_q73;
-        const double across_164 = across_by_q73 - 0.014 * across_slope_160;
-        const double strand_y_by_16 = layer_0_y_by_q73 + 0.014 * u_y_by_q73;
-        const double half_square_by_94 = across_164 - strand_y_9 * strand_y_by_16;
-        const double length_9_by_q73 = half_square_by_94 * t96;
-        const double t97 = 0.0065 * f[9 * n + state];
+        const double half_square_by_94 = across_by_q73 - 0.014 * across_slope_160 - strand_y_9
+            * (layer_0_y_by_q73 + 0.014 * u_y_by_q73);
+        const double t98 = t88 + f[8 * n + state] * (half_square_by_92 * t92) + f[9 * n + state]
+            * (half_square_by_94 * t96);
+        const double t99 = 0.0065 * f[9 * n + state];
         const double across_94 = across_by_q71 - 0.016 * across_by_y_by_q71;
-        const double t98 = 0.016 * u_y;
-        const double strand_y_10 = 0.016 + layer_0_y - t98;
+        const double t100 = 0.016 * u_y;
+        const double strand_y_10 = 0.016 + layer_0_y - t100;
         const double half_square_by_20 = across_94 - strand_y_10 * layer_0_y_by_q71;
-        const double t99 = 0.016 * twice_across_4;
-        const double across_slope_18 = twice_across_2 - t99;
-        const double across_20 = twice_across - 0.016 * across_slope_18;
+        const double t101 = 0.016 * twice_across_4;
+        const double across_20 = twice_across - 0.016 * (twice_across_2 - t101);
         const double length_10 = sinew_sqrt(across_20 + strand_y_10 * strand_y_10);
-        const double t100 = 1.0 / length_10;
-        const double length_10_by_q71 = half_square_by_20 * t100;
-        const double t101 = t91 + f[9 * n + state] * length_9_by_q71 + f[10 * n + state]
-            * length_10_by_q71;
-        const double t102 = 0.016 * across_by_y_squared_by_q73;
-        const double across_slope_162 = across_by_y_by_q73 + t102;
-        const double across_166 = across_by_q73 - 0.016 * across_slope_162;
-        const double t103 = 0.016 * u_y_by_q73;
-        const double strand_y_by_18 = layer_0_y_by_q73 + t103;
-        const double half_square_by_96 = across_166 - strand_y_10 * strand_y_by_18;
-        const double length_10_by_q73 = half_square_by_96 * t100;
-        const double t104 = t94 + f[9 * n + state] * length_9_by_q73 + f[10 * n + state]
-            * length_10_by_q73;
+        const double t102 = 1.0 / length_10;
+        const double t103 = 0.016 * across_by_y_squared_by_q73;
+        const double across_166 = across_by_q73 - 0.016 * (across_by_y_by_q73 + t103);
+        const double t104 = 0.016 * u_y_by_q73;
+        const double half_square_by_96 = across_166 - strand_y_10 * (layer_0_y_by_q73 + t104);
         const double t105 = 0.0065 * f[10 * n + state];
         const double across_96 = across_by_q71 - 0.017 * across_by_y_by_q71;
         const double strand_y_11 = 0.017 + layer_0_y - 0.017 * u_y;
         const double half_square_by_22 = across_96 - strand_y_11 * layer_0_y_by_q71;
-        const double across_slope_20 = twice_across_2 - 0.017 * twice_across_4;
-        const double across_22 = twice_across - 0.017 * across_slope_20;
+        const double across_22 = twice_across - 0.017 * (twice_across_2 - 0.017 * twice_across_4);
         const double length_11 = sinew_sqrt(across_22 + strand_y_11 * strand_y_11);
         const double t106 = 1.0 / length_11;
-        const double length_11_by_q71 = half_square_by_22 * t106;
+        const double t107 = t97 + f[10 * n + state] * (half_square_by_20 * t102) + f[11 * n + state]
+            * (half_square_by_22 * t106);
         const double across_slope_164 = across_by_y_by_q73 + 0.017 * across_by_y_squared_by_q73;
-        const double across_168 = across_by_q73 - 0.017 * across_slope_164;
-        const double strand_y_by_20 = layer_0_y_by_q73 + 0.017 * u_y_by_q73;
-        const double half_square_by_98 = across_168 - strand_y_11 * strand_y_by_20;
-        const double length_11_by_q73 = half_square_by_98 * t106;
-        const double t107 = 0.0065 * f[11 * n + state];
+        const double half_square_by_98 = across_by_q73 - 0.017 * across_slope_164 - strand_y_11
+            * (layer_0_y_by_q73 + 0.017 * u_y_by_q73);
+        const double t108 = t98 + f[10 * n + state] * (half_square_by_96 * t102) + f[11 * n + state]
+            * (half_square_by_98 * t106);
+        const double t109 = 0.0065 * f[11 * n + state];
         const double across_98 = across_by_q71 - 0.019 * across_by_y_by_q71;
-        const double t108 = 0.019 * u_y;
-        const double strand_y_12 = 0.019 + layer_0_y - t108;
+        const double t110 = 0.019 * u_y;
+        const double strand_y_12 = 0.019 + layer_0_y - t110;
         const double half_square_by_24 = across_98 - strand_y_12 * layer_0_y_by_q71;
-        const double t109 = 0.019 * twice_across_4;
-        const double across_slope_22 = twice_across_2 - t109;
-        const double across_24 = twice_across - 0.019 * across_slope_22;
+        const double t111 = 0.019 * twice_across_4;
+        const double across_24 = twice_across - 0.019 * (twice_across_2 - t111);
         const double length_12 = sinew_sqrt(across_24 + strand_y_12 * strand_y_12);
-        const double t110 = 1.0 / length_12;
-        const double length_12_by_q71 = half_square_by_24 * t110;
-        const double t111 = t101 + f[11 * n + state] * length_11_by_q71 + f[12 * n + state]
-            * length_12_by_q71;
-        const double t112 = 0.019 * across_by_y_squared_by_q73;
-        const double across_slope_166 = across_by_y_by_q73 + t112;
-        const double across_170 = across_by_q73 - 0.019 * across_slope_166;
-        const double t113 = 0.019 * u_y_by_q73;
-        const double strand_y_by_22 = layer_0_y_by_q73 + t113;
-        const double half_square_by_100 = across_170 - strand_y_12 * strand_y_by_22;
-        const double length_12_by_q73 = half_square_by_100 * t110;
-        const double t114 = t104 + f[11 * n + state] * length_11_by_q73 + f[12 * n + state]
-            * length_12_by_q73;
+        const double t112 = 1.0 / length_12;
+        const double t113 = 0.019 * across_by_y_squared_by_q73;
+        const double across_170 = across_by_q73 - 0.019 * (across_by_y_by_q73 + t113);
+        const double t114 = 0.019 * u_y_by_q73;
+        const double half_square_by_100 = across_170 - strand_y_12 * (layer_0_y_by_q73 + t114);
         const double across_100 = across_by_q71 - 0.021 * across_by_y_by_q71;
         const double t115 = 0.021 * u_y;
         const double strand_y_13 = 0.02 + layer_0_y - t115;
         const double half_square_by_26 = across_100 - strand_y_13 * layer_0_y_by_q71;
         const double t116 = 0.021 * twice_across_4;
-        const double across_slope_24 = twice_across_2 - t116;
-        const double across_26 = twice_across - 0.021 * across_slope_24;
+        const double across_26 = twice_across - 0.021 * (twice_across_2 - t116);
         const double length_13 = sinew_sqrt(across_26 + strand_y_13 * strand_y_13);
         const double t117 = 1.0 / length_13;
-        const double length_13_by_q71 = half_square_by_26 * t117;
-        const double t118 = 0.021 * across_by_y_squared_by_q73;
-        const double across_slope_168 = across_by_y_by_q73 + t118;
-        const double across_172 = across_by_q73 - 0.021 * across_slope_168;
-        const double t119 = 0.021 * u_y_by_q73;
-        const double strand_y_by_24 = layer_0_y_by_q73 + t119;
-        const double half_square_by_102 = across_172 - strand_y_13 * strand_y_by_24;
-        const double length_13_by_q73 = half_square_by_102 * t117;
+        const double t118 = t107 + f[12 * n + state] * (half_square_by_24 * t112) + f[13 * n
+            + state] * (half_square_by_26 * t117);
+        const double t119 = 0.021 * across_by_y_squared_by_q73;
+        const double across_172 = across_by_q73 - 0.021 * (across_by_y_by_q73 + t119);
+        const double t120 = 0.021 * u_y_by_q73;
+        const double half_square_by_102 = across_172 - strand_y_13 * (layer_0_y_by_q73 + t120);
+        const double t121 = t108 + f[12 * n + state] * (half_square_by_100 * t112) + f[13 * n
+            + state] * (half_square_by_102 * t117);
         const double across_102 = across_by_q71 - 0.022 * across_by_y_by_q71;
         const double strand_y_14 = 0.022 + layer_0_y - 0.022 * u_y;
         const double half_square_by_28 = across_102 - strand_y_14 * layer_0_y_by_q71;
-        const double across_slope_26 = twice_across_2 - 0.022 * twice_across_4;
-        const double across_28 = twice_across - 0.022 * across_slope_26;
+        const double across_28 = twice_across - 0.022 * (twice_across_2 - 0.022 * twice_across_4);
         const double length_14 = sinew_sqrt(across_28 + strand_y_14 * strand_y_14);
-        const double t120 = 1.0 / length_14;
-        const double length_14_by_q71 = half_square_by_28 * t120;
-        const double t121 = t111 + f[13 * n + state] * length_13_by_q71 + f[14 * n + state]
-            * length_14_by_q71;
+        const double t122 = 1.0 / length_14;
         const double across_slope_170 = across_by_y_by_q73 + 0.022 * across_by_y_squared_by_q73;
-        const double across_174 = across_by_q73 - 0.022 * across_slope_170;
-        const double strand_y_by_26 = layer_0_y_by_q73 + 0.022 * u_y_by_q73;
-        const double half_square_by_104 = across_174 - strand_y_14 * strand_y_by_26;
-        const double length_14_by_q73 = half_square_by_104 * t120;
-        const double t122 = t114 + f[13 * n + state] * length_13_by_q73 + f[14 * n + state]
-            * length_14_by_q73;
+        const double half_square_by_104 = across_by_q73 - 0.022 * across_slope_170 - strand_y_14
+            * (layer_0_y_by_q73 + 0.022 * u_y_by_q73);
         const double across_104 = across_by_q71 - 0.024 * across_by_y_by_q71;
         const double t123 = 0.024 * u_y;
         const double strand_y_15 = 0.024 + layer_0_y - t123;
         const double half_square_by_30 = across_104 - strand_y_15 * layer_0_y_by_q71;
         const double t124 = 0.024 * twice_across_4;
-        const double across_slope_28 = twice_across_2 - t124;
-        const double across_30 = twice_across - 0.024 * across_slope_28;
+        const double across_30 = twice_across - 0.024 * (twice_across_2 - t124);
         const double length_15 = sinew_sqrt(across_30 + strand_y_15 * strand_y_15);
         const double t125 = 1.0 / length_15;
-        const double length_15_by_q71 = half_square_by_30 * t125;
-        const double t126 = 0.024 * across_by_y_squared_by_q73;
-        const double across_slope_172 = across_by_y_by_q73 + t126;
-        const double across_176 = across_by_q73 - 0.024 * across_slope_172;
-        const double t127 = 0.024 * u_y_by_q73;
-        const double strand_y_by_28 = layer_0_y_by_q73 + t127;
-        const double half_square_by_106 = across_176 - strand_y_15 * strand_y_by_28;
-        const double length_15_by_q73 = half_square_by_106 * t125;
-        const double t128 = f[12 * n + state] - f[13 * n + state] + f[14 * n + state] - f[15 * n
+        const double t126 = t118 + f[14 * n + state] * (half_square_by_28 * t122) + f[15 * n
+            + state] * (half_square_by_30 * t125);
+        const double t127 = 0.024 * across_by_y_squared_by_q73;
+        const double across_176 = across_by_q73 - 0.024 * (across_by_y_by_q73 + t127);
+        const double t128 = 0.024 * u_y_by_q73;
+        const double half_square_by_106 = across_176 - strand_y_15 * (layer_0_y_by_q73 + t128);
+        const double t129 = t121 + f[14 * n + state] * (half_square_by_104 * t122) + f[15 * n
+            + state] * (half_square_by_106 * t125);
+        const double t130 = f[12 * n + state] - f[13 * n + state] + f[14 * n + state] - f[15 * n
             + state];
         const double across_106 = across_by_q71 - 0.025 * across_by_y_by_q71;
         const double strand_y_16 = 0.025 + layer_0_y - 0.025 * u_y;
         const double half_square_by_32 = across_106 - strand_y_16 * layer_0_y_by_q71;
-        const double across_slope_30 = twice_across_2 - 0.025 * twice_across_4;
-        const double across_32 = twice_across - 0.025 * across_slope_30;
+        const double across_32 = twice_across - 0.025 * (twice_across_2 - 0.025 * twice_across_4);
         const double length_16 = sinew_sqrt(across_32 + strand_y_16 * strand_y_16);
-        const double t129 = 1.0 / length_16;
-        const double length_16_by_q71 = half_square_by_32 * t129;
-        const double t130 = t121 + f[15 * n + state] * length_15_by_q71 + f[16 * n + state]
-            * length_16_by_q71;
+        const double t131 = 1.0 / length_16;
         const double across_slope_174 = across_by_y_by_q73 + 0.025 * across_by_y_squared_by_q73;
-        const double across_178 = across_by_q73 - 0.025 * across_slope_174;
-        const double strand_y_by_30 = layer_0_y_by_q73 + 0.025 * u_y_by_q73;
-        const double half_square_by_108 = across_178 - strand_y_16 * strand_y_by_30;
-        const double length_16_by_q73 = half_square_by_108 * t129;
-        const double t131 = t122 + f[15 * n + state] * length_15_by_q73 + f[16 * n + state]
-            * length_16_by_q73;
+        const double half_square_by_108 = across_by_q73 - 0.025 * across_slope_174 - strand_y_16
+            * (layer_0_y_by_q73 + 0.025 * u_y_by_q73);
         const double t132 = 0.0065 * f[16 * n + state];
         const double R21y = c1 * s2;
         const double t133 = 0.005 * R21y;
@@ -3033,11 +2654,9 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double pA_length_toy_by_q_1 = t147 - t148;
         const double t149 = 0.005 * s2;
         const double t150 = 0.047 * c2;
-        const double pA_length_toz_by_q_1 = t149 + t150;
-        const double t151 = A_lengthdz * pA_length_toz_by_q_1;
+        const double t151 = A_lengthdz * (t149 + t150);
         const double t152 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
             - t151;
-        const double A_length_by_q_1 = t152 * t144;
         const double t153 = t133 + t134;
         const double pB_length_tox = t153 - t136;
         const double B_lengthdx = 0.002 + pB_length_tox;
@@ -3051,11 +2670,9 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double t156 = 1.0 / B_length;
         const double pB_length_tox_by_q_1 = t145 + t146;
         const double pB_length_toy_by_q_1 = t147 + t148;
-        const double pB_length_toz_by_q_1 = t149 - t150;
-        const double t157 = B_lengthdz * pB_length_toz_by_q_1;
+        const double t157 = B_lengthdz * (t149 - t150);
         const double t158 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
             + t157;
-        const double B_length_by_q_1 = t158 * t156;
         const double pC_length_tox = t153 + t136;
         const double C_lengthdx = 0.002 - pC_length_tox;
         const double pC_length_toy = t154 + t140;
@@ -3065,9 +2682,8 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double t159 = 1.0 / C_length;
         const double t160 = t151 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
             * pA_length_toy_by_q_1;
-        const double C_length_by_q_1 = t160 * t159;
-        const double t161 = f[state] * A_length_by_q_1 - f[1 * n + state] * B_length_by_q_1 - f[2
-            * n + state] * C_length_by_q_1;
+        const double t161 = f[state] * (t152 * t144) - f[1 * n + state] * (t158 * t156) - f[2 * n
+            + state] * (t160 * t159);
         const double pD_length_tox = t135 - t136;
         const double D_lengthdx = 0.002 + pD_length_tox;
         const double pD_length_toy = t139 - t140;
@@ -3077,7 +2693,6 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double t162 = 1.0 / D_length;
         const double t163 = t157 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
             * pB_length_toy_by_q_1;
-        const double D_length_by_q_1 = t163 * t162;
         const double A_length_by_q_0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx)
             * t144;
         const double B_length_by_q_0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx)
@@ -3093,40 +2708,30 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double strand_y_17 = 0.027 + layer_0_y - t165;
         const double half_square_by_34 = across_108 - strand_y_17 * layer_0_y_by_q71;
         const double t166 = 0.027 * twice_across_4;
-        const double across_slope_32 = twice_across_2 - t166;
-        const double across_34 = twice_across - 0.027 * across_slope_32;
+        const double across_34 = twice_across - 0.027 * (twice_across_2 - t166);
         const double length_17 = sinew_sqrt(across_34 + strand_y_17 * strand_y_17);
         const double t167 = 1.0 / length_17;
-        const double length_17_by_q71 = half_square_by_34 * t167;
-        const double t168 = 0.027 * across_by_y_squared_by_q73;
-        const double across_slope_176 = across_by_y_by_q73 + t168;
-        const double across_180 = across_by_q73 - 0.027 * across_slope_176;
-        const double t169 = 0.027 * u_y_by_q73;
-        const double strand_y_by_32 = layer_0_y_by_q73 + t169;
-        const double half_square_by_110 = across_180 - strand_y_17 * strand_y_by_32;
-        const double length_17_by_q73 = half_square_by_110 * t167;
-        const double t170 = 0.0065 * f[17 * n + state];
+        const double t168 = t126 + f[16 * n + state] * (half_square_by_32 * t131) + f[17 * n
+            + state] * (half_square_by_34 * t167);
+        const double t169 = 0.027 * across_by_y_squared_by_q73;
+        const double across_180 = across_by_q73 - 0.027 * (across_by_y_by_q73 + t169);
+        const double t170 = 0.027 * u_y_by_q73;
+        const double half_square_by_110 = across_180 - strand_y_17 * (layer_0_y_by_q73 + t170);
+        const double t171 = t129 + f[16 * n + state] * (half_square_by_108 * t131) + f[17 * n
+            + state] * (half_square_by_110 * t167);
+        const double t172 = 0.0065 * f[17 * n + state];
         const double across_110 = across_by_q71 - 0.029 * across_by_y_by_q71;
-        const double t171 = 0.029 * u_y;
-        const double strand_y_18 = 0.028 + layer_0_y - t171;
+        const double t173 = 0.029 * u_y;
+        const double strand_y_18 = 0.028 + layer_0_y - t173;
         const double half_square_by_36 = across_110 - strand_y_18 * layer_0_y_by_q71;
-        const double t172 = 0.029 * twice_across_4;
-        const double across_slope_34 = twice_across_2 - t172;
-        const double across_36 = twice_across - 0.029 * across_slope_34;
+        const double t174 = 0.029 * twice_across_4;
+        const double across_36 = twice_across - 0.029 * (twice_across_2 - t174);
         const double length_18 = sinew_sqrt(across_36 + strand_y_18 * strand_y_18);
-        const double t173 = 1.0 / length_18;
-        const double length_18_by_q71 = half_square_by_36 * t173;
-        const double t174 = t130 + f[17 * n + state] * length_17_by_q71 + f[18 * n + state]
-            * length_18_by_q71;
-        const double t175 = 0.029 * across_by_y_squared_by_q73;
-        const double across_slope_178 = across_by_y_by_q73 + t175;
-        const double across_182 = across_by_q73 - 0.029 * across_slope_178;
-        const double t176 = 0.029 * u_y_by_q73;
-        const double strand_y_by_34 = layer_0_y_by_q73 + t176;
-        const double half_square_by_112 = across_182 - strand_y_18 * strand_y_by_34;
-        const double length_18_by_q73 = half_square_by_112 * t173;
-        const double t177 = t131 + f[17 * n + state] * length_17_by_q73 + f[18 * n + state]
-            * length_18_by_q73;
+        const double t175 = 1.0 / length_18;
+        const double t176 = 0.029 * across_by_y_squared_by_q73;
+        const double across_182 = across_by_q73 - 0.029 * (across_by_y_by_q73 + t176);
+        const double t177 = 0.029 * u_y_by_q73;
+        const double half_square_by_112 = across_182 - strand_y_18 * (layer_0_y_by_q73 + t177);
         const double t178 = 0.0065 * f[18 * n + state];
         const double t179 = 0.013 * y_z;
         const double layer_1_x_by_q71 = t31 - t32 - t179;
@@ -3136,20 +2741,22 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double layer_1_z = 0.028 - origin_z - t34 + t35 + t179;
         const double across_38_by_q71 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71;
         const double layer_1_y_by_q71 = t45 + t46;
-        const double layer_1_y = 0.006 - origin_y - t47 - t48 + t88;
+        const double layer_1_y = 0.006 - origin_y - t47 - t48 + t90;
         const double half_square_by_38 = across_38_by_q71 - layer_1_y * layer_1_y_by_q71;
         const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
         const double twice_across_6 = across_38 + across_38;
         const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
         const double t181 = 1.0 / length_19;
-        const double length_19_by_q71 = half_square_by_38 * t181;
-        const double layer_1_x_by_q73 = t54 - t55 - 0.013 * y_x_by_q73;
-        const double layer_1_z_by_q73 = t56 - t57 - 0.013 * y_z_by_q73;
+        const double t182 = t168 + f[18 * n + state] * (half_square_by_36 * t175) + f[19 * n
+            + state] * (half_square_by_38 * t181);
+        const double layer_1_x_by_q73 = t55 - t56 - 0.013 * y_x_by_q73;
+        const double layer_1_z_by_q73 = t57 - t58 - 0.013 * y_z_by_q73;
         const double across_38_by_q73 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73;
-        const double layer_1_y_by_q73 = t58 - t59 - t93;
+        const double layer_1_y_by_q73 = t59 - t60 - t94;
         const double half_square_by_114 = across_38_by_q73 - layer_1_y * layer_1_y_by_q73;
-        const double length_19_by_q73 = half_square_by_114 * t181;
-        const double t182 = 0.0065 * f[19 * n + state];
+        const double t183 = t171 + f[18 * n + state] * (half_square_by_112 * t175) + f[19 * n
+            + state] * (half_square_by_114 * t181);
+        const double t184 = 0.0065 * f[19 * n + state];
         const double across_by_y_2_by_q71 = y_x * (layer_1_z + layer_1_x_by_q71) - y_z * (layer_1_x
             + layer_1_z_by_q71);
         const double across_112 = across_38_by_q71 - 0.002 * across_by_y_2_by_q71;
@@ -3157,306 +2764,230 @@ void hand_joint_torque_batch(int count, const double *SINEW_RESTRICT q,
         const double half_square_by_40 = across_112 - strand_y_20 * layer_1_y_by_q71;
         const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
         const double twice_across_8 = across_by_y_2 + across_by_y_2;
-        const double across_slope_36 = twice_across_8 - 0.002 * twice_across_4;
-        const double across_40 = twice_across_6 - 0.002 * across_slope_36;
+        const double across_40 = twice_across_6 - 0.002 * (twice_across_8 - 0.002 * twice_across_4);
         const double length_20 = sinew_sqrt(across_40 + strand_y_20 * strand_y_20);
-        const double t183 = 1.0 / length_20;
-        const double length_20_by_q71 = half_square_by_40 * t183;
-        const double t184 = t174 + f[19 * n + state] * length_19_by_q71 + f[20 * n + state]
-            * length_20_by_q71;
+        const double t185 = 1.0 / length_20;
         const double across_by_y_2_by_q73 = y_x * layer_1_x_by_q73 + y_z * layer_1_z_by_q73
             - layer_1_x * y_x_by_q73 - layer_1_z * y_z_by_q73;
         const double across_slope_180 = across_by_y_2_by_q73 + 0.002 * across_by_y_squared_by_q73;
         const double across_184 = across_38_by_q73 - 0.002 * across_slope_180;
-        const double strand_y_by_36 = layer_1_y_by_q73 + 0.002 * u_y_by_q73;
-        const double half_square_by_116 = across_184 - strand_y_20 * strand_y_by_36;
-        const double length_20_by_q73 = half_square_by_116 * t183;
-        const double t185 = t177 + f[19 * n + state] * length_19_by_q73 + f[20 * n + state]
-            * length_20_by_q73;
+        const double half_square_by_116 = across_184 - strand_y_20 * (layer_1_y_by_q73 + 0.002
+            * u_y_by_q73);
         const double across_114 = across_38_by_q71 - 0.003 * across_by_y_2_by_q71;
-        const double strand_y_21 = 0.003 + layer_1_y - t61;
+        const double strand_y_21 = 0.003 + layer_1_y - t63;
         const double half_square_by_42 = across_114 - strand_y_21 * layer_1_y_by_q71;
-        const double across_slope_38 = twice_across_8 - t62;
-        const double across_42 = twice_across_6 - 0.003 * across_slope_38;
+        const double across_42 = twice_across_6 - 0.003 * (twice_across_8 - t64);
         const double length_21 = sinew_sqrt(across_42 + strand_y_21 * strand_y_21);
         const double t186 = 1.0 / length_21;
-        const double length_21_by_q71 = half_square_by_42 * t186;
-        const double across_slope_182 = across_by_y_2_by_q73 + t65;
-        const double across_186 = across_38_by_q73 - 0.003 * across_slope_182;
-        const double strand_y_by_38 = layer_1_y_by_q73 + t66;
-        const double half_square_by_118 = across_186 - strand_y_21 * strand_y_by_38;
-        const double length_21_by_q73 = half_square_by_118 * t186;
+        const double t187 = t182 + f[20 * n + state] * (half_square_by_40 * t185) + f[21 * n
+            + state] * (half_square_by_42 * t186);
+        const double across_186 = across_38_by_q73 - 0.003 * (across_by_y_2_by_q73 + t66);
+        const double half_square_by_118 = across_186 - strand_y_21 * (layer_1_y_by_q73 + t67);
+        const double t188 = t183 + f[20 * n + state] * (half_square_by_116 * t185) + f[21 * n
+            + state] * (half_square_by_118 * t186);
         const double across_116 = across_38_by_q71 - 0.005 * across_by_y_2_by_q71;
         const double strand_y_22 = 0.005 + layer_1_y - t68;
         const double half_square_by_44 = across_116 - strand_y_22 * layer_1_y_by_q71;
-        const double across_slope_40 = twice_across_8 - t69;
-        const double across_44 = twice_across_6 - 0.005 * across_slope_40;
+        const double across_44 = twice_across_6 - 0.005 * (twice_across_8 - t69);
         const double length_22 = sinew_sqrt(across_44 + strand_y_22 * strand_y_22);
-        const double t187 = 1.0 / length_22;
-        const double length_22_by_q71 = half_square_by_44 * t187;
-        const double t188 = t184 + f[21 * n + state] * length_21_by_q71 + f[22 * n + state]
-            * length_22_by_q71;
-        const double across_slope_184 = across_by_y_2_by_q73 + t71;
-        const double across_188 = across_38_by_q73 - 0.005 * across_slope_184;
-        const double strand_y_by_40 = layer_1_y_by_q73 + t72;
-        const double half_square_by_120 = across_188 - strand_y_22 * strand_y_by_40;
-        const double length_22_by_q73 = half_square_by_120 * t187;
-        const double t189 = t185 + f[21 * n + state] * length_21_by_q73 + f[22 * n + state]
-            * length_22_by_q73;
+        const double t189 = 1.0 / length_22;
+        const double across_188 = across_38_by_q73 - 0.005 * (across_by_y_2_by_q73 + t72);
+        const double half_square_by_120 = across_188 - strand_y_22 * (layer_1_y_by_q73 + t73);
         const double across_118 = across_38_by_q71 - 0.007 * across_by_y_2_by_q71;
         const double strand_y_23 = 0.006 + layer_1_y - 0.007 * u_y;
         const double half_square_by_46 = across_118 - strand_y_23 * layer_1_y_by_q71;
-        const double across_slope_42 = twice_across_8 - 0.007 * twice_across_4;
-        const double across_46 = twice_across_6 - 0.007 * across_slope_42;
+        const double across_46 = twice_across_6 - 0.007 * (twice_across_8 - 0.007 * twice_across_4);
         const double length_23 = sinew_sqrt(across_46 + strand_y_23 * strand_y_23);
         const double t190 = 1.0 / length_23;
-        const double length_23_by_q71 = half_square_by_46 * t190;
+        const double t191 = t187 + f[22 * n + state] * (half_square_by_44 * t189) + f[23 * n
+            + state] * (half_square_by_46 * t190);
         const double across_slope_186 = across_by_y_2_by_q73 + 0.007 * across_by_y_squared_by_q73;
         const double across_190 = across_38_by_q73 - 0.007 * across_slope_186;
-        const double strand_y_by_42 = layer_1_y_by_q73 + 0.007 * u_y_by_q73;
-        const double half_square_by_122 = across_190 - strand_y_23 * strand_y_by_42;
-        const double length_23_by_q73 = half_square_by_122 * t190;
-        const double t191 = f[20 * n + state] - f[21 * n + state] + f[22 * n + state] - f[23 * n
+        const double half_square_by_122 = across_190 - strand_y_23 * (layer_1_y_by_q73 + 0.007
+            * u_y_by_q73);
+        const double t192 = t188 + f[22 * n + state] * (half_square_by_120 * t189) + f[23 * n
+            + state] * (half_square_by_122 * t190);
+        const double t193 = f[20 * n + state] - f[21 * n + state] + f[22 * n + state] - f[23 * n
             + state];
         const double across_120 = across_38_by_q71 - 0.008 * across_by_y_2_by_q71;
         const double strand_y_24 = 0.008 + layer_1_y - t76;
         const double half_square_by_48 = across_120 - strand_y_24 * layer_1_y_by_q71;
-        const double across_slope_44 = twice_across_8 - t77;
-        const double across_48 = twice_across_6 - 0.008 * across_slope_44;
+        const double across_48 = twice_across_6 - 0.008 * (twice_across_8 - t77);
         const double length_24 = sinew_sqrt(across_48 + strand_y_24 * strand_y_24);
-        const double t192 = 1.0 / length_24;
-        const double length_24_by_q71 = half_square_by_48 * t192;
-        const double t193 = t188 + f[23 * n + state] * length_23_by_q71 + f[24 * n + state]
-            * length_24_by_q71;
-        const double across_slope_188 = across_by_y_2_by_q73 + t79;
-        const double across_192 = across_38_by_q73 - 0.008 * across_slope_188;
-        const double strand_y_by_44 = layer_1_y_by_q73 + t80;
-        const double half_square_by_124 = across_192 - strand_y_24 * strand_y_by_44;
-        const double length_24_by_q73 = half_square_by_124 * t192;
-        const double t194 = t189 + f[23 * n + state] * length_23_by_q73 + f[24 * n + state]
-            * length_24_by_q73;
+        const double t194 = 1.0 / length_24;
+        const double across_192 = across_38_by_q73 - 0.008 * (across_by_y_2_by_q73 + t80);
+        const double half_square_by_124 = across_192 - strand_y_24 * (layer_1_y_by_q73 + t81);
         const double t195 = 0.0065 * f[24 * n + state];
         const double across_122 = across_38_by_q71 - 0.01 * across_by_y_2_by_q71;
         const double strand_y_25 = 0.009 + layer_1_y - 0.01 * u_y;
         const double half_square_by_50 = across_122 - strand_y_25 * layer_1_y_by_q71;
-        const double across_slope_46 = twice_across_8 - 0.01 * twice_across_4;
-        const double across_50 = twice_across_6 - 0.01 * across_slope_46;
+        const double across_50 = twice_across_6 - 0.01 * (twice_across_8 - 0.01 * twice_across_4);
         const double length_25 = sinew_sqrt(across_50 + strand_y_25 * strand_y_25);
         const double t196 = 1.0 / length_25;
-        const double length_25_by_q71 = half_square_by_50 * t196;
+        const double t197 = t191 + f[24 * n + state] * (half_square_by_48 * t194) + f[25 * n
+            + state] * (half_square_by_50 * t196);
         const double across_slope_190 = across_by_y_2_by_q73 + 0.01 * across_by_y_squared_by_q73;
         const double across_194 = across_38_by_q73 - 0.01 * across_slope_190;
-        const double strand_y_by_46 = layer_1_y_by_q73 + 0.01 * u_y_by_q73;
-        const double half_square_by_126 = across_194 - strand_y_25 * strand_y_by_46;
-        const double length_25_by_q73 = half_square_by_126 * t196;
-        const double t197 = 0.0065 * f[25 * n + state];
+        const double half_square_by_126 = across_194 - strand_y_25 * (layer_1_y_by_q73 + 0.01
+            * u_y_by_q73);
+        const double t198 = t192 + f[24 * n + state] * (half_square_by_124 * t194) + f[25 * n
+            + state] * (half_square_by_126 * t196);
+        const double t199 = 0.0065 * f[25 * n + state];
         const double across_124 = across_38_by_q71 - 0.011 * across_by_y_2_by_q71;
         const double strand_y_26 = 0.011 + layer_1_y - t49;
         const double half_square_by_52 = across_124 - strand_y_26 * layer_1_y_by_q71;
-        const double across_slope_48 = twice_across_8 - t84;
-        const double across_52 = twice_across_6 - 0.011 * across_slope_48;
+        const double across_52 = twice_across_6 - 0.011 * (twice_across_8 - t84);
         const double length_26 = sinew_sqrt(across_52 + strand_y_26 * strand_y_26);
-        const double t198 = 1.0 / length_26;
-        const double length_26_by_q71 = half_square_by_52 * t198;
-        const double t199 = t193 + f[25 * n + state] * length_25_by_q71 + f[26 * n + state]
-            * length_26_by_q71;
-        const double across_slope_192 = across_by_y_2_by_q73 + t86;
-        const double across_196 = across_38_by_q73 - 0.011 * across_slope_192;
-        const double strand_y_by_48 = layer_1_y_by_q73 + t60;
-        const double half_square_by_128 = across_196 - strand_y_26 * strand_y_by_48;
-        const double length_26_by_q73 = half_square_by_128 * t198;
-        const double t200 = t194 + f[25 * n + state] * length_25_by_q73 + f[26 * n + state]
-            * length_26_by_q73;
+        const double t200 = 1.0 / length_26;
+        const double across_196 = across_38_by_q73 - 0.011 * (across_by_y_2_by_q73 + t87);
+        const double half_square_by_128 = across_196 - strand_y_26 * (layer_1_y_by_q73 + t61);
         const double t201 = 0.0065 * f[26 * n + state];
         const double across_126 = across_38_by_q71 - 0.013 * across_by_y_2_by_q71;
-        const double strand_y_27 = 0.013 + layer_1_y - t88;
+        const double strand_y_27 = 0.013 + layer_1_y - t90;
         const double half_square_by_54 = across_126 - strand_y_27 * layer_1_y_by_q71;
-        const double across_slope_50 = twice_across_8 - t89;
-        const double across_54 = twice_across_6 - 0.013 * across_slope_50;
+        const double across_54 = twice_across_6 - 0.013 * (twice_across_8 - t91);
         const double length_27 = sinew_sqrt(across_54 + strand_y_27 * strand_y_27);
         const double t202 = 1.0 / length_27;
-        const double length_27_by_q71 = half_square_by_54 * t202;
-        const double across_slope_194 = across_by_y_2_by_q73 + t92;
-        const double across_198 = across_38_by_q73 - 0.013 * across_slope_194;
-        const double strand_y_by_50 = layer_1_y_by_q73 + t93;
-        const double half_square_by_130 = across_198 - strand_y_27 * strand_y_by_50;
-        const double length_27_by_q73 = half_square_by_130 * t202;
-        const double t203 = 0.0065 * f[27 * n + state];
+        const double t203 = t197 + f[26 * n + state] * (half_square_by_52 * t200) + f[27 * n
+            + state] * (half_square_by_54 * t202);
+        const double across_198 = across_38_by_q73 - 0.013 * (across_by_y_2_by_q73 + t93);
+        const double half_square_by_130 = across_198 - strand_y_27 * (layer_1_y_by_q73 + t94);
+        const double t204 = t198 + f[26 * n + state] * (half_square_by_128 * t200) + f[27 * n
+            + state] * (half_square_by_130 * t202);
+        const double t205 = 0.0065 * f[27 * n + state];
         const double across_128 = across_38_by_q71 - 0.015 * across_by_y_2_by_q71;
         const double strand_y_28 = 0.014 + layer_1_y - 0.015 * u_y;
         const double half_square_by_56 = across_128 - strand_y_28 * layer_1_y_by_q71;
-        const double across_slope_52 = twice_across_8 - 0.015 * twice_across_4;
-        const double across_56 = twice_across_6 - 0.015 * across_slope_52;
+        const double across_56 = twice_across_6 - 0.015 * (twice_across_8 - 0.015 * twice_across_4);
         const double length_28 = sinew_sqrt(across_56 + strand_y_28 * strand_y_28);
-        const double t204 = 1.0 / length_28;
-        const double length_28_by_q71 = half_square_by_56 * t204;
-        const double t205 = t199 + f[27 * n + state] * length_27_by_q71 + f[28 * n + state]
-            * length_28_by_q71;
+        const double t206 = 1.0 / length_28;
         const double across_slope_196 = across_by_y_2_by_q73 + 0.015 * across_by_y_squared_by_q73;
         const double across_200 = across_38_by_q73 - 0.015 * across_slope_196;
-        const double strand_y_by_52 = layer_1_y_by_q73 + 0.015 * u_y_by_q73;
-        const double half_square_by_132 = across_200 - strand_y_28 * strand_y_by_52;
-        const double length_28_by_q73 = half_square_by_132 * t204;
-        const double t206 = t200 + f[27 * n + state] * length_27_by_q73 + f[28 * n + state]
-            * length_28_by_q73;
+        const double half_square_by_132 = across_200 - strand_y_28 * (layer_1_y_by_q73 + 0.015
+            * u_y_by_q73);
         const double across_130 = across_38_by_q71 - 0.016 * across_by_y_2_by_q71;
-        const double strand_y_29 = 0.016 + layer_1_y - t98;
+        const double strand_y_29 = 0.016 + layer_1_y - t100;
         const double half_square_by_58 = across_130 - strand_y_29 * layer_1_y_by_q71;
-        const double across_slope_54 = twice_across_8 - t99;
-        const double across_58 = twice_across_6 - 0.016 * across_slope_54;
+        const double across_58 = twice_across_6 - 0.016 * (twice_across_8 - t101);
         const double length_29 = sinew_sqrt(across_58 + strand_y_29 * strand_y_29);
         const double t207 = 1.0 / length_29;
-        const double length_29_by_q71 = half_square_by_58 * t207;
-        const double across_slope_198 = across_by_y_2_by_q73 + t102;
-        const double across_202 = across_38_by_q73 - 0.016 * across_slope_198;
-        const double strand_y_by_54 = layer_1_y_by_q73 + t103;
-        const double half_square_by_134 = across_202 - strand_y_29 * strand_y_by_54;
-        const double length_29_by_q73 = half_square_by_134 * t207;
+        const double t208 = t203 + f[28 * n + state] * (half_square_by_56 * t206) + f[29 * n
+            + state] * (half_square_by_58 * t207);
+        const double across_202 = across_38_by_q73 - 0.016 * (across_by_y_2_by_q73 + t103);
+        const double half_square_by_134 = across_202 - strand_y_29 * (layer_1_y_by_q73 + t104);
+        const double t209 = t204 + f[28 * n + state] * (half_square_by_132 * t206) + f[29 * n
+            + state] * (half_square_by_134 * t207);
         const double across_132 = across_38_by_q71 - 0.018 * across_by_y_2_by_q71;
         const double strand_y_30 = 0.017 + layer_1_y - 0.018 * u_y;
         const double half_square_by_60 = across_132 - strand_y_30 * layer_1_y_by_q71;
-        const double across_slope_56 = twice_across_8 - 0.018 * twice_across_4;
-        const double across_60 = twice_across_6 - 0.018 * across_slope_56;
+        const double across_60 = twice_across_6 - 0.018 * (twice_across_8 - 0.018 * twice_across_4);
         const double length_30 = sinew_sqrt(across_60 + strand_y_30 * strand_y_30);
-        const double t208 = 1.0 / length_30;
-        const double length_30_by_q71 = half_square_by_60 * t208;
-        const double t209 = t205 + f[29 * n + state] * length_29_by_q71 + f[30 * n + state]
-            * length_30_by_q71;
+        const double t210 = 1.0 / length_30;
         const double across_slope_200 = across_by_y_2_by_q73 + 0.018 * across_by_y_squared_by_q73;
         const double across_204 = across_38_by_q73 - 0.018 * across_slope_200;
-        const double strand_y_by_56 = layer_1_y_by_q73 + 0.018 * u_y_by_q73;
-        const double half_square_by_136 = across_204 - strand_y_30 * strand_y_by_56;
-        const double length_30_by_q73 = half_square_by_136 * t208;
-        const double t210 = t206 + f[29 * n + state] * length_29_by_q73 + f[30 * n + state]
-            * length_30_by_q73;
+        const double half_square_by_136 = across_204 - strand_y_30 * (layer_1_y_by_q73 + 0.018
+            * u_y_by_q73);
         const double t211 = 0.0052 * f[30 * n + state];
         const double across_134 = across_38_by_q71 - 0.019 * across_by_y_2_by_q71;
-        const double strand_y_31 = 0.019 + layer_1_y - t108;
+        const double strand_y_31 = 0.019 + layer_1_y - t110;
         const double half_square_by_62 = across_134 - strand_y_31 * layer_1_y_by_q71;
-        const double across_slope_58 = twice_across_8 - t109;
-        const double across_62 = twice_across_6 - 0.019 * across_slope_58;
+        const double across_62 = twice_across_6 - 0.019 * (twice_across_8 - t111);
         const double length_31 = sinew_sqrt(across_62 + strand_y_31 * strand_y_31);
         const double t212 = 1.0 / length_31;
-        const double length_31_by_q71 = half_square_by_62 * t212;
-        const double across_slope_202 = across_by_y_2_by_q73 + t112;
-        const double across_206 = across_38_by_q73 - 0.019 * across_slope_202;
-        const double strand_y_by_58 = layer_1_y_by_q73 + t113;
-        const double half_square_by_138 = across_206 - strand_y_31 * strand_y_by_58;
-        const double length_31_by_q73 = half_square_by_138 * t212;
-        const double t213 = 0.0052 * f[31 * n + state];
+        const double t213 = t208 + f[30 * n + state] * (half_square_by_60 * t210) + f[31 * n
+            + state] * (half_square_by_62 * t212);
+        const double across_206 = across_38_by_q73 - 0.019 * (across_by_y_2_by_q73 + t113);
+        const double half_square_by_138 = across_206 - strand_y_31 * (layer_1_y_by_q73 + t114);
+        const double t214 = t209 + f[30 * n + state] * (half_square_by_136 * t210) + f[31 * n
+            + state] * (half_square_by_138 * t212);
+        const double t215 = 0.0052 * f[31 * n + state];
         const double across_136 = across_38_by_q71 - 0.021 * across_by_y_2_by_q71;
         const double strand_y_32 = 0.021 + layer_1_y - t115;
         const double half_square_by_64 = across_136 - strand_y_32 * layer_1_y_by_q71;
-        const double across_slope_60 = twice_across_8 - t116;
-        const double across_64 = twice_across_6 - 0.021 * across_slope_60;
+        const double across_64 = twice_across_6 - 0.021 * (twice_across_8 - t116);
         const double length_32 = sinew_sqrt(across_64 + strand_y_32 * strand_y_32);
-        const double t214 = 1.0 / length_32;
-        const double length_32_by_q71 = half_square_by_64 * t214;
-        const double t215 = t209 + f[31 * n + state] * length_31_by_q71 + f[32 * n + state]
-            * length_32_by_q71;
-        const double across_slope_204 = across_by_y_2_by_q73 + t118;
-        const double across_208 = across_38_by_q73 - 0.021 * across_slope_204;
-        const double strand_y_by_60 = layer_1_y_by_q73 + t119;
-        const double half_square_by_140 = across_208 - strand_y_32 * strand_y_by_60;
-        const double length_32_by_q73 = half_square_by_140 * t214;
-        const double t216 = t210 + f[31 * n + state] * length_31_by_q73 + f[32 * n + state]
-            * length_32_by_q73;
+        const double t216 = 1.0 / length_32;
+        const double across_208 = across_38_by_q73 - 0.021 * (across_by_y_2_by_q73 + t119);
+        const double half_square_by_140 = across_208 - strand_y_32 * (layer_1_y_by_q73 + t120);
         const double t217 = 0.0052 * f[32 * n + state];
         const double across_138 = across_38_by_q71 - 0.023 * across_by_y_2_by_q71;
         const double strand_y_33 = 0.022 + layer_1_y - 0.023 * u_y;
         const double half_square_by_66 = across_138 - strand_y_33 * layer_1_y_by_q71;
-        const double across_slope_62 = twice_across_8 - 0.023 * twice_across_4;
-        const double across_66 = twice_across_6 - 0.023 * across_slope_62;
+        const double across_66 = twice_across_6 - 0.023 * (twice_across_8 - 0.023 * twice_across_4);
         const double length_33 = sinew_sqrt(across_66 + strand_y_33 * strand_y_33);
         const double t218 = 1.0 / length_33;
-        const double length_33_by_q71 = half_square_by_66 * t218;
+        const double t219 = t213 + f[32 * n + state] * (half_square_by_64 * t216) + f[33 * n
+            + state] * (half_square_by_66 * t218);
         const double across_slope_206 = across_by_y_2_by_q73 + 0.023 * across_by_y_squared_by_q73;
         const double across_210 = across_38_by_q73 - 0.023 * across_slope_206;
-        const double strand_y_by_62 = layer_1_y_by_q73 + 0.023 * u_y_by_q73;
-        const double half_square_by_142 = across_210 - strand_y_33 * strand_y_by_62;
-        const double length_33_by_q73 = half_square_by_142 * t218;
-        const double t219 = 0.0052 * f[33 * n + state];
+        const double half_square_by_142 = across_210 - strand_y_33 * (layer_1_y_by_q73 + 0.023
+            * u_y_by_q73);
+        const double t220 = t214 + f[32 * n + state] * (half_square_by_140 * t216) + f[33 * n
+            + state] * (half_square_by_142 * t218);
+        const double t221 = 0.0052 * f[33 * n + state];
         const double across_140 = across_38_by_q71 - 0.024 * across_by_y_2_by_q71;
         const double strand_y_34 = 0.024 + layer_1_y - t123;
         const double half_square_by_68 = across_140 - strand_y_34 * layer_1_y_by_q71;
-        const double across_slope_64 = twice_across_8 - t124;
-        const double across_68 = twice_across_6 - 0.024 * across_slope_64;
+        const double across_68 = twice_across_6 - 0.024 * (twice_across_8 - t124);
         const double length_34 = sinew_sqrt(across_68 + strand_y_34 * strand_y_34);
-        const double t220 = 1.0 / length_34;
-        const double length_34_by_q71 = half_square_by_68 * t220;
-        const double t221 = t215 + f[33 * n + state] * length_33_by_q71 + f[34 * n + state]
-            * length_34_by_q71;
-        const double across_slope_208 = across_by_y_2_by_q73 + t126;
-        const double across_212 = across_38_by_q73 - 0.024 * across_slope_208;
-        const double strand_y_by_64 = layer_1_y_by_q73 + t127;
-        const double half_square_by_144 = across_212 - strand_y_34 * strand_y_by_64;
-        const double length_34_by_q73 = half_square_by_144 * t220;
-        const double t222 = t216 + f[33 * n + state] * length_33_by_q73 + f[34 * n + state]
-            * length_34_by_q73;
+        const double t222 = 1.0 / length_34;
+        const double across_212 = across_38_by_q73 - 0.024 * (across_by_y_2_by_q73 + t127);
+        const double half_square_by_144 = across_212 - strand_y_34 * (layer_1_y_by_q73 + t128);
         const double across_142 = across_38_by_q71 - 0.026 * across_by_y_2_by_q71;
         const double strand_y_35 = 0.025 + layer_1_y - 0.026 * u_y;
         const double half_square_by_70 = across_142 - strand_y_35 * layer_1_y_by_q71;
-        const double across_slope_66 = twice_across_8 - 0.026 * twice_across_4;
-        const double across_70 = twice_across_6 - 0.026 * across_slope_66;
+        const double across_70 = twice_across_6 - 0.026 * (twice_across_8 - 0.026 * twice_across_4);
         const double length_35 = sinew_sqrt(across_70 + strand_y_35 * strand_y_35);
         const double t223 = 1.0 / length_35;
-        const double length_35_by_q71 = half_square_by_70 * t223;
+        const double t224 = t219 + f[34 * n + state] * (half_square_by_68 * t222) + f[35 * n
+            + state] * (half_square_by_70 * t223);
         const double across_slope_210 = across_by_y_2_by_q73 + 0.026 * across_by_y_squared_by_q73;
         const double across_214 = across_38_by_q73 - 0.026 * across_slope_210;
-        const double strand_y_by_66 = layer_1_y_by_q73 + 0.026 * u_y_by_q73;
-        const double half_square_by_146 = across_214 - strand_y_35 * strand_y_by_66;
-        const double length_35_by_q73 = half_square_by_146 * t223;
+        const double half_square_by_146 = across_214 - strand_y_35 * (layer_1_y_by_q73 + 0.026
+            * u_y_by_q73);
+        const double t225 = t220 + f[34 * n + state] * (half_square_by_144 * t222) + f[35 * n
+            + state] * (half_square_by_146 * t223);
         const double across_144 = across_38_by_q71 - 0.027 * across_by_y_2_by_q71;
         const double strand_y_36 = 0.027 + layer_1_y - t165;
         const double half_square_by_72 = across_144 - strand_y_36 * layer_1_y_by_q71;
-        const double across_slope_68 = twice_across_8 - t166;
-        const double across_72 = twice_across_6 - 0.027 * across_slope_68;
+        const double across_72 = twice_across_6 - 0.027 * (twice_across_8 - t166);
         const double length_36 = sinew_sqrt(across_72 + strand_y_36 * strand_y_36);
-        const double t224 = 1.0 / length_36;
-        const double length_36_by_q71 = half_square_by_72 * t224;
-        const double t225 = t221 + f[35 * n + state] * length_35_by_q71 + f[36 * n + state]
-            * length_36_by_q71;
-        const double across_slope_212 = across_by_y_2_by_q73 + t168;
-        const double across_216 = across_38_by_q73 - 0.027 * across_slope_212;
-        const double strand_y_by_68 = layer_1_y_by_q73 + t169;
-        const double half_square_by_148 = across_216 - strand_y_36 * strand_y_by_68;
-        const double length_36_by_q73 = half_square_by_148 * t224;
-        const double t226 = t222 + f[35 * n + state] * length_35_by_q73 + f[36 * n + state]
-            * length_36_by_q73;
+        const double t226 = 1.0 / length_36;
+        const double across_216 = across_38_by_q73 - 0.027 * (across_by_y_2_by_q73 + t169);
+        const double half_square_by_148 = across_216 - strand_y_36 * (layer_1_y_by_q73 + t170);
         const double across_146 = across_38_by_q71 - 0.029 * across_by_y_2_by_q71;
-        const double strand_y_37 = 0.029 + layer_1_y - t171;
+        const double strand_y_37 = 0.029 + layer_1_y - t173;
         const double half_square_by_74 = across_146 - strand_y_37 * layer_1_y_by_q71;
-        const double across_slope_70 = twice_across_8 - t172;
-        const double across_74 = twice_across_6 - 0.029 * across_slope_70;
+        const double across_74 = twice_across_6 - 0.029 * (twice_across_8 - t174);
         const double length_37 = sinew_sqrt(across_74 + strand_y_37 * strand_y_37);
         const double t227 = 1.0 / length_37;
-        const double length_37_by_q71 = half_square_by_74 * t227;
-        const double across_slope_214 = across_by_y_2_by_q73 + t175;
-        const double across_218 = across_38_by_q73 - 0.029 * across_slope_214;
-        const double strand_y_by_70 = layer_1_y_by_q73 + t176;
-        const double half_square_by_150 = across_218 - strand_y_37 * strand_y_by_70;
-        const double length_37_by_q73 = half_square_by_150 * t227;
+        const double t228 = t224 + f[36 * n + state] * (half_square_by_72 * t226) + f[37 * n
+            + state] * (half_square_by_74 * t227);
+        const double across_218 = across_38_by_q73 - 0.029 * (across_by_y_2_by_q73 + t176);
+        const double half_square_by_150 = across_218 - strand_y_37 * (layer_1_y_by_q73 + t177);
+        const double t229 = t225 + f[36 * n + state] * (half_square_by_148 * t226) + f[37 * n
+            + state] * (half_square_by_150 * t227);
         tau[state] = t164 + f[3 * n + state] * D_length_by_q_0;
-        tau[1 * n + state] = t161 - f[3 * n + state] * D_length_by_q_1;
-        tau[2 * n + state] = -(0.0065 * t87);
+        tau[1 * n + state] = t161 - f[3 * n + state] * (t163 * t162);
+        tau[2 * n + state] = -(0.0065 * t89);
         tau[3 * n + state] = -(0.0055 * (f[6 * n + state] - f[7 * n + state]));
-        tau[4 * n + state] = -(t95 + t97 - t105 - t107);
-        tau[5 * n + state] = -(t95 - t97 + t105 - t107);
-        tau[6 * n + state] = -(0.0055 * t128);
+        tau[4 * n + state] = -(t95 + t99 - t105 - t109);
+        tau[5 * n + state] = -(t95 - t99 + t105 - t109);
+        tau[6 * n + state] = -(0.0055 * t130);
         tau[7 * n + state] = 0.0045 * (f[14 * n + state] - f[15 * n + state]);
-        tau[8 * n + state] = -(t132 + t170 - t178 - t182);
-        tau[9 * n + state] = -(t132 - t170 + t178 - t182);
-        tau[10 * n + state] = -(0.0055 * t191);
+        tau[8 * n + state] = -(t132 + t172 - t178 - t184);
+        tau[9 * n + state] = -(t132 - t172 + t178 - t184);
+        tau[10 * n + state] = -(0.0055 * t193);
         tau[11 * n + state] = 0.0045 * (f[22 * n + state] - f[23 * n + state]);
-        tau[12 * n + state] = -(t195 + t197 - t201 - t203);
-        tau[13 * n + state] = -(t195 - t197 + t201 - t203);
+        tau[12 * n + state] = -(t195 + t199 - t201 - t205);
+        tau[13 * n + state] = -(t195 - t199 + t201 - t205);
         tau[14 * n + state] = -(0.011000000000000001 * (f[28 * n + state] - f[29 * n + state]));
-        tau[15 * n + state] = -(t211 + t213 - t217 - t219);
-        tau[16 * n + state] = -(t211 - t213 + t217 - t219);
+        tau[15 * n + state] = -(t211 + t215 - t217 - t221);
+        tau[16 * n + state] = -(t211 - t215 + t217 - t221);
         tau[17 * n + state] = -(0.0088 * (f[34 * n + state] - f[35 * n + state]));
         tau[18 * n + state] = -(0.005 * (f[36 * n + state] - f[37 * n + state]));
-        tau[19 * n + state] = -(t225 + f[37 * n + state] * length_37_by_q71);
-        tau[20 * n + state] = t226 + f[37 * n + state] * length_37_by_q73;
+        tau[19 * n + state] = -t228;
+        tau[20 * n + state] = t229;
     }
 }
 
@@ -3471,8 +3002,7 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist,
         double sin_q73, cos_q73;
         sinew_sincos(q_wrist[1 * n + state], &sin_q73, &cos_q73);
         const double B_y = 0.074565407529229 * cos_q73;
-        const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-        const double ratio = 0.003796 / B_to_C0_squared;
+        const double ratio = 0.003796 / (0.007324 - 0.084 * B_y);
         const double C_y = 0.002 * ratio * (21.0 - 500.0 * B_y);
         const double u_y = 23.80952380952381 * (B_y + C_y);
         const double B_e = 0.074565407529229 * sin_q73;
@@ -3498,18 +3028,15 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double z_plane_x = u_y * cos_A;
         const double sin_A = (p_y * root - p_z * limited) * t1;
         const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-        const double M_x = cos_q71 * M_e;
         const double x_plane_x = u_y * sin_A;
-        const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-        const double t2 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+        const double t2 = 0.004 - cos_q71 * M_e + 0.018 * z_x + 0.004 * (cos_q71 * x_plane_x
+            + sin_q71 * cos_A);
         const double t3 = 0.01 * z_x;
         const double y_x = cos_q71 * u_e;
         const double layer_0_x = t2 - t3 + 0.011 * y_x;
         const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-        const double M_z = sin_q71 * M_e;
-        const double origin_z = M_z - 0.018 * z_z;
-        const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-        const double t4 = 0.004 * x_z;
+        const double origin_z = sin_q71 * M_e - 0.018 * z_z;
+        const double t4 = 0.004 * (cos_q71 * cos_A - sin_q71 * x_plane_x);
         const double t5 = 0.01 * z_z;
         const double y_z = sin_q71 * u_e;
         const double layer_0_z = 0.008 - origin_z - t4 - t5 + 0.011 * y_z;
@@ -3517,265 +3044,190 @@ void hand_feedforward_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double twice_across = across + across;
         const double z_plane_y = u_e * cos_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double x_plane_y = u_e * sin_A;
-        const double t6 = 0.004 * x_plane_y;
+        const double t6 = 0.004 * (u_e * sin_A);
         const double t7 = 0.01 * z_plane_y;
         const double t8 = 0.011 * u_y;
         const double layer_0_y = 0.007 - origin_y - t6 + t7 + t8;
         const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
-        const double change_0 = 0.04661544808322666 - length_0;
         const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
         const double twice_across_2 = across_by_y + across_by_y;
         const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
         const double twice_across_4 = across_by_y_squared + across_by_y_squared;
-        const double across_slope = twice_across_2 - 0.001 * twice_across_4;
-        const double across_2 = twice_across - 0.001 * across_slope;
+        const double across_2 = twice_across - 0.001 * (twice_across_2 - 0.001 * twice_across_4);
         const double strand_y_1 = 0.001 + layer_0_y - 0.001 * u_y;
         const double length_1 = sinew_sqrt(across_2 + strand_y_1 * strand_y_1);
-        const double change_1 = 0.04661544808322666 - length_1;
         const double t9 = 0.003 * twice_across_4;
-        const double across_slope_2 = twice_across_2 - t9;
-        const double across_4 = twice_across - 0.003 * across_slope_2;
+        const double across_4 = twice_across - 0.003 * (twice_across_2 - t9);
         const double t10 = 0.003 * u_y;
         const double strand_y_2 = 0.003 + layer_0_y - t10;
         const double length_2 = sinew_sqrt(across_4 + strand_y_2 * strand_y_2);
-        const double change_2 = 0.04661544808322666 - length_2;
         const double t11 = 0.005 * twice_across_4;
-        const double across_slope_4 = twice_across_2 - t11;
-        const double across_6 = twice_across - 0.005 * across_slope_4;
+        const double across_6 = twice_across - 0.005 * (twice_across_2 - t11);
         const double t12 = 0.005 * u_y;
         const double strand_y_3 = 0.004 + layer_0_y - t12;
         const double length_3 = sinew_sqrt(across_6 + strand_y_3 * strand_y_3);
-        const double change_3 = 0.04669047011971501 - length_3;
-        const double across_slope_6 = twice_across_2 - 0.006 * twice_across_4;
-        const double across_8 = twice_across - 0.006 * across_slope_6;
+        const double across_8 = twice_across - 0.006 * (twice_across_2 - 0.006 * twice_across_4);
         const double strand_y_4 = 0.006 + layer_0_y - 0.006 * u_y;
         const double length_4 = sinew_sqrt(across_8 + strand_y_4 * strand_y_4);
-        const double change_4 = 0.04661544808322666 - length_4;
         const double t13 = 0.008 * twice_across_4;
-        const double across_slope_8 = twice_across_2 - t13;
-        const double across_10 = twice_across - 0.008 * across_slope_8;
+        const double across_10 = twice_across - 0.008 * (twice_across_2 - t13);
         const double t14 = 0.008 * u_y;
         const double strand_y_5 = 0.008 + layer_0_y - t14;
         const double length_5 = sinew_sqrt(across_10 + strand_y_5 * strand_y_5);
-        const double change_5 = 0.04661544808322666 - length_5;
-        const double across_slope_10 = twice_across_2 - 0.009 * twice_across_4;
-        const double across_12 = twice_across - 0.009 * across_slope_10;
+        const double across_12 = twice_across - 0.009 * (twice_across_2 - 0.009 * twice_across_4);
         const double strand_y_6 = 0.009 + layer_0_y - 0.009 * u_y;
         const double length_6 = sinew_sqrt(across_12 + strand_y_6 * strand_y_6);
-        const double change_6 = 0.04661544808322666 - length_6;
         const double t15 = 0.011 * twice_across_4;
-        const double across_slope_12 = twice_across_2 - t15;
-        const double across_14 = twice_across - 0.011 * across_slope_12;
+        const double across_14 = twice_across - 0.011 * (twice_across_2 - t15);
         const double strand_y_7 = 0.011 + layer_0_y - t8;
         const double length_7 = sinew_sqrt(across_14 + strand_y_7 * strand_y_7);
-        const double change_7 = 0.04661544808322666 - length_7;
         const double t16 = 0.013 * twice_across_4;
-        const double across_slope_14 = twice_across_2 - t16;
-        const double across_16 = twice_across - 0.013 * across_slope_14;
+        const double across_16 = twice_across - 0.013 * (twice_across_2 - t16);
         const double t17 = 0.013 * u_y;
         const double strand_y_8 = 0.012 + layer_0_y - t17;
         const double length_8 = sinew_sqrt(across_16 + strand_y_8 * strand_y_8);
-        const double change_8 = 0.04669047011971501 - length_8;
-        const double across_slope_16 = twice_across_2 - 0.014 * twice_across_4;
-        const double across_18 = twice_across - 0.014 * across_slope_16;
+        const double across_18 = twice_across - 0.014 * (twice_across_2 - 0.014 * twice_across_4);
         const double strand_y_9 = 0.014 + layer_0_y - 0.014 * u_y;
         const double length_9 = sinew_sqrt(across_18 + strand_y_9 * strand_y_9);
-        const double change_9 = 0.04661544808322666 - length_9;
         const double t18 = 0.016 * twice_across_4;
-        const double across_slope_18 = twice_across_2 - t18;
-        const double across_20 = twice_across - 0.016 * across_slope_18;
+        const double across_20 = twice_across - 0.016 * (twice_across_2 - t18);
         const double t19 = 0.016 * u_y;
         const double strand_y_10 = 0.016 + layer_0_y - t19;
         const double length_10 = sinew_sqrt(across_20 + strand_y_10 * strand_y_10);
-        const double change_10 = 0.04661544808322666 - length_10;
-        const double across_slope_20 = twice_across_2 - 0.017 * twice_across_4;
-        const double across_22 = twice_across - 0.017 * across_slope_20;
+        const double across_22 = twice_across - 0.017 * (twice_across_2 - 0.017 * twice_across_4);
         const double strand_y_11 = 0.017 + layer_0_y - 0.017 * u_y;
         const double length_11 = sinew_sqrt(across_22 + strand_y_11 * strand_y_11);
-        const double change_11 = 0.04661544808322666 - length_11;
         const double t20 = 0.019 * twice_across_4;
-        const double across_slope_22 = twice_across_2 - t20;
-        const double across_24 = twice_across - 0.019 * across_slope_22;
+        const double across_24 = twice_across - 0.019 * (twice_across_2 - t20);
         const double t21 = 0.019 * u_y;
         const double strand_y_12 = 0.019 + layer_0_y - t21;
         const double length_12 = sinew_sqrt(across_24 + strand_y_12 * strand_y_12);
-        const double change_12 = 0.04661544808322666 - length_12;
         const double t22 = 0.021 * twice_across_4;
-        const double across_slope_24 = twice_across_2 - t22;
-        const double across_26 = twice_across - 0.021 * across_slope_24;
+        const double across_26 = twice_across - 0.021 * (twice_across_2 - t22);
         const double t23 = 0.021 * u_y;
         const double strand_y_13 = 0.02 + layer_0_y - t23;
         const double length_13 = sinew_sqrt(across_26 + strand_y_13 * strand_y_13);
-        const double change_13 = 0.04669047011971501 - length_13;
-        const double across_slope_26 = twice_across_2 - 0.022 * twice_across_4;
-        const double across_28 = twice_across - 0.022 * across_slope_26;
+        const double across_28 = twice_across - 0.022 * (twice_across_2 - 0.022 * twice_across_4);
         const double strand_y_14 = 0.022 + layer_0_y - 0.022 * u_y;
         const double length_14 = sinew_sqrt(across_28 + strand_y_14 * strand_y_14);
-        const double change_14 = 0.04661544808322666 - length_14;
         const double t24 = 0.024 * twice_across_4;
-        const double across_slope_28 = twice_across_2 - t24;
-        const double across_30 = twice_across - 0.024 * across_slope_28;
+        const double across_30 = twice_across - 0.024 * (twice_across_2 - t24);
         const double t25 = 0.024 * u_y;
         const double strand_y_15 = 0.024 + layer_0_y - t25;
         const double length_15 = sinew_sqrt(across_30 + strand_y_15 * strand_y_15);
-        const double change_15 = 0.04661544808322666 - length_15;
-        const double across_slope_30 = twice_across_2 - 0.025 * twice_across_4;
-        const double across_32 = twice_across - 0.025 * across_slope_30;
+        const double across_32 = twice_across - 0.025 * (twice_across_2 - 0.025 * twice_across_4);
         const double strand_y_16 = 0.025 + layer_0_y - 0.025 * u_y;
         const double length_16 = sinew_sqrt(across_32 + strand_y_16 * strand_y_16);
-        const double change_16 = 0.04661544808322666 - length_16;
         const double t26 = 0.027 * twice_across_4;
-        const double across_slope_32 = twice_across_2 - t26;
-        const double across_34 = twice_across - 0.027 * across_slope_32;
+        const double across_34 = twice_across - 0.027 * (twice_across_2 - t26);
         const double t27 = 0.027 * u_y;
         const double strand_y_17 = 0.027 + layer_0_y - t27;
         const double length_17 = sinew_sqrt(across_34 + strand_y_17 * strand_y_17);
-        const double change_17 = 0.04661544808322666 - length_17;
         const double t28 = 0.029 * twice_across_4;
-        const double across_slope_34 = twice_across_2 - t28;
-        const double across_36 = twice_across - 0.029 * across_slope_34;
+        const double across_36 = twice_across - 0.029 * (twice_across_2 - t28);
         const double t29 = 0.029 * u_y;
         const double strand_y_18 = 0.028 + layer_0_y - t29;
         const double length_18 = sinew_sqrt(across_36 + strand_y_18 * strand_y_18);
-        const double change_18 = 0.04669047011971501 - length_18;
         const double layer_1_x = t2 + t3 + 0.013 * y_x;
         const double layer_1_z = 0.028 - origin_z - t4 + t5 + 0.013 * y_z;
         const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
         const double twice_across_6 = across_38 + across_38;
         const double layer_1_y = 0.006 - origin_y - t6 - t7 + t17;
         const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
-        const double change_19 = 0.046561786907291264 - length_19;
         const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
         const double twice_across_8 = across_by_y_2 + across_by_y_2;
-        const double across_slope_36 = twice_across_8 - 0.002 * twice_across_4;
-        const double across_40 = twice_across_6 - 0.002 * across_slope_36;
+        const double across_40 = twice_across_6 - 0.002 * (twice_across_8 - 0.002 * twice_across_4);
         const double strand_y_20 = 0.001 + layer_1_y - 0.002 * u_y;
         const double length_20 = sinew_sqrt(across_40 + strand_y_20 * strand_y_20);
-        const double change_20 = 0.04661544808322666 - length_20;
-        const double across_slope_38 = twice_across_8 - t9;
-        const double across_42 = twice_across_6 - 0.003 * across_slope_38;
+        const double across_42 = twice_across_6 - 0.003 * (twice_across_8 - t9);
         const double strand_y_21 = 0.003 + layer_1_y - t10;
         const double length_21 = sinew_sqrt(across_42 + strand_y_21 * strand_y_21);
-        const double change_21 = 0.046561786907291264 - length_21;
-        const double across_slope_40 = twice_across_8 - t11;
-        const double across_44 = twice_across_6 - 0.005 * across_slope_40;
+        const double across_44 = twice_across_6 - 0.005 * (twice_across_8 - t11);
         const double strand_y_22 = 0.005 + layer_1_y - t12;
         const double length_22 = sinew_sqrt(across_44 + strand_y_22 * strand_y_22);
-        const double change_22 = 0.046561786907291264 - length_22;
-        const double across_slope_42 = twice_across_8 - 0.007 * twice_across_4;
-        const double across_46 = twice_across_6 - 0.007 * across_slope_42;
+        const double across_46 = twice_across_6 - 0.007 * (twice_across_8 - 0.007 * twice_across_4);
         const double strand_y_23 = 0.006 + layer_1_y - 0.007 * u_y;
         const double length_23 = sinew_sqrt(across_46 + strand_y_23 * strand_y_23);
-        const double change_23 = 0.04661544808322666 - length_23;
-        const double across_slope_44 = twice_across_8 - t13;
-        const double across_48 = twice_across_6 - 0.008 * across_slope_44;
+        const double across_48 = twice_across_6 - 0.008 * (twice_across_8 - t13);
         const double strand_y_24 = 0.008 + layer_1_y - t14;
         const double length_24 = sinew_sqrt(across_48 + strand_y_24 * strand_y_24);
-        const double change_24 = 0.046561786907291264 - length_24;
-        const double across_slope_46 = twice_across_8 - 0.01 * twice_across_4;
-        const double across_50 = twice_across_6 - 0.01 * across_slope_46;
+        const double across_50 = twice_across_6 - 0.01 * (twice_across_8 - 0.01 * twice_across_4);
         const double strand_y_25 = 0.009 + layer_1_y - 0.01 * u_y;
         const double length_25 = sinew_sqrt(across_50 + strand_y_25 * strand_y_25);
-        const double change_25 = 0.04661544808322666 - length_25;
-        const double across_slope_48 = twice_across_8 - t15;
-        const double across_52 = twice_across_6 - 0.011 * across_slope_48;
+        const double across_52 = twice_across_6 - 0.011 * (twice_across_8 - t15);
         const double strand_y_26 = 0.011 + layer_1_y - t8;
         const double length_26 = sinew_sqrt(across_52 + strand_y_26 * strand_y_26);
-        const double change_26 = 0.046561786907291264 - length_26;
-        const double across_slope_50 = twice_across_8 - t16;
-        const double across_54 = twice_across_6 - 0.013 * across_slope_50;
+        const double across_54 = twice_across_6 - 0.013 * (twice_across_8 - t16);
         const double strand_y_27 = 0.013 + layer_1_y - t17;
         const double length_27 = sinew_sqrt(across_54 + strand_y_27 * strand_y_27);
-        const double change_27 = 0.046561786907291264 - length_27;
-        const double across_slope_52 = twice_across_8 - 0.015 * twice_across_4;
-        const double across_56 = twice_across_6 - 0.015 * across_slope_52;
+        const double across_56 = twice_across_6 - 0.015 * (twice_across_8 - 0.015 * twice_across_4);
         const double strand_y_28 = 0.014 + layer_1_y - 0.015 * u_y;
         const double length_28 = sinew_sqrt(across_56 + strand_y_28 * strand_y_28);
-        const double change_28 = 0.04661544808322666 - length_28;
-        const double across_slope_54 = twice_across_8 - t18;
-        const double across_58 = twice_across_6 - 0.016 * across_slope_54;
+        const double across_58 = twice_across_6 - 0.016 * (twice_across_8 - t18);
         const double strand_y_29 = 0.016 + layer_1_y - t19;
         const double length_29 = sinew_sqrt(across_58 + strand_y_29 * strand_y_29);
-        const double change_29 = 0.046561786907291264 - length_29;
-        const double across_slope_56 = twice_across_8 - 0.018 * twice_across_4;
-        const double across_60 = twice_across_6 - 0.018 * across_slope_56;
+        const double across_60 = twice_across_6 - 0.018 * (twice_across_8 - 0.018 * twice_across_4);
         const double strand_y_30 = 0.017 + layer_1_y - 0.018 * u_y;
         const double length_30 = sinew_sqrt(across_60 + strand_y_30 * strand_y_30);
-        const double change_30 = 0.04661544808322666 - length_30;
-        const double across_slope_58 = twice_across_8 - t20;
-        const double across_62 = twice_across_6 - 0.019 * across_slope_58;
+        const double across_62 = twice_across_6 - 0.019 * (twice_across_8 - t20);
         const double strand_y_31 = 0.019 + layer_1_y - t21;
         const double length_31 = sinew_sqrt(across_62 + strand_y_31 * strand_y_31);
-        const double change_31 = 0.046561786907291264 - length_31;
-        const double across_slope_60 = twice_across_8 - t22;
-        const double across_64 = twice_across_6 - 0.021 * across_slope_60;
+        const double across_64 = twice_across_6 - 0.021 * (twice_across_8 - t22);
         const double strand_y_32 = 0.021 + layer_1_y - t23;
         const double length_32 = sinew_sqrt(across_64 + strand_y_32 * strand_y_32);
-        const double change_32 = 0.046561786907291264 - length_32;
-        const double across_slope_62 = twice_across_8 - 0.023 * twice_across_4;
-        const double across_66 = twice_across_6 - 0.023 * across_slope_62;
+        const double across_66 = twice_across_6 - 0.023 * (twice_across_8 - 0.023 * twice_across_4);
         const double strand_y_33 = 0.022 + layer_1_y - 0.023 * u_y;
         const double length_33 = sinew_sqrt(across_66 + strand_y_33 * strand_y_33);
-        const double change_33 = 0.04661544808322666 - length_33;
-        const double across_slope_64 = twice_across_8 - t24;
-        const double across_68 = twice_across_6 - 0.024 * across_slope_64;
+        const double across_68 = twice_across_6 - 0.024 * (twice_across_8 - t24);
         const double strand_y_34 = 0.024 + layer_1_y - t25;
         const double length_34 = sinew_sqrt(across_68 + strand_y_34 * strand_y_34);
-        const double change_34 = 0.046561786907291264 - length_34;
-        const double across_slope_66 = twice_across_8 - 0.026 * twice_across_4;
-        const double across_70 = twice_across_6 - 0.026 * across_slope_66;
+        const double across_70 = twice_across_6 - 0.026 * (twice_across_8 - 0.026 * twice_across_4);
         const double strand_y_35 = 0.025 + layer_1_y - 0.026 * u_y;
         const double length_35 = sinew_sqrt(across_70 + strand_y_35 * strand_y_35);
-        const double change_35 = 0.04661544808322666 - length_35;
-        const double across_slope_68 = twice_across_8 - t26;
-        const double across_72 = twice_across_6 - 0.027 * across_slope_68;
+        const double across_72 = twice_across_6 - 0.027 * (twice_across_8 - t26);
         const double strand_y_36 = 0.027 + layer_1_y - t27;
         const double length_36 = sinew_sqrt(across_72 + strand_y_36 * strand_y_36);
-        const double change_36 = 0.046561786907291264 - length_36;
-        const double across_slope_70 = twice_across_8 - t28;
-        const double across_74 = twice_across_6 - 0.029 * across_slope_70;
+        const double across_74 = twice_across_6 - 0.029 * (twice_across_8 - t28);
         const double strand_y_37 = 0.029 + layer_1_y - t29;
         const double length_37 = sinew_sqrt(across_74 + strand_y_37 * strand_y_37);
-        const double change_37 = 0.046561786907291264 - length_37;
-        delta_theta[state] = 200.0 * change_0;
-        delta_theta[1 * n + state] = 200.0 * change_1;
-        delta_theta[2 * n + state] = 200.0 * change_2;
-        delta_theta[3 * n + state] = 200.0 * change_3;
-        delta_theta[4 * n + state] = 200.0 * change_4;
-        delta_theta[5 * n + state] = 200.0 * change_5;
-        delta_theta[6 * n + state] = 200.0 * change_6;
-        delta_theta[7 * n + state] = 200.0 * change_7;
-        delta_theta[8 * n + state] = 200.0 * change_8;
-        delta_theta[9 * n + state] = 200.0 * change_9;
-        delta_theta[10 * n + state] = 200.0 * change_10;
-        delta_theta[11 * n + state] = 200.0 * change_11;
-        delta_theta[12 * n + state] = 200.0 * change_12;
-        delta_theta[13 * n + state] = 200.0 * change_13;
-        delta_theta[14 * n + state] = 200.0 * change_14;
-        delta_theta[15 * n + state] = 200.0 * change_15;
-        delta_theta[16 * n + state] = 200.0 * change_16;
-        delta_theta[17 * n + state] = 200.0 * change_17;
-        delta_theta[18 * n + state] = 200.0 * change_18;
-        delta_theta[19 * n + state] = 200.0 * change_19;
-        delta_theta[20 * n + state] = 200.0 * change_20;
-        delta_theta[21 * n + state] = 200.0 * change_21;
-        delta_theta[22 * n + state] = 200.0 * change_22;
-        delta_theta[23 * n + state] = 200.0 * change_23;
-        delta_theta[24 * n + state] = 200.0 * change_24;
-        delta_theta[25 * n + state] = 200.0 * change_25;
-        delta_theta[26 * n + state] = 200.0 * change_26;
-        delta_theta[27 * n + state] = 200.0 * change_27;
-        delta_theta[28 * n + state] = 200.0 * change_28;
-        delta_theta[29 * n + state] = 200.0 * change_29;
-        delta_theta[30 * n + state] = 200.0 * change_30;
-        delta_theta[31 * n + state] = 200.0 * change_31;
-        delta_theta[32 * n + state] = 200.0 * change_32;
-        delta_theta[33 * n + state] = 200.0 * change_33;
-        delta_theta[34 * n + state] = 200.0 * change_34;
-        delta_theta[35 * n + state] = 200.0 * change_35;
-        delta_theta[36 * n + state] = 200.0 * change_36;
-        delta_theta[37 * n + state] = 200.0 * change_37;
+        delta_theta[state] = 200.0 * (0.04661544808322666 - length_0);
+        delta_theta[1 * n + state] = 200.0 * (0.04661544808322666 - length_1);
+        delta_theta[2 * n + state] = 200.0 * (0.04661544808322666 - length_2);
+        delta_theta[3 * n + state] = 200.0 * (0.04669047011971501 - length_3);
+        delta_theta[4 * n + state] = 200.0 * (0.04661544808322666 - length_4);
+        delta_theta[5 * n + state] = 200.0 * (0.04661544808322666 - length_5);
+        delta_theta[6 * n + state] = 200.0 * (0.04661544808322666 - length_6);
+        delta_theta[7 * n + state] = 200.0 * (0.04661544808322666 - length_7);
+        delta_theta[8 * n + state] = 200.0 * (0.04669047011971501 - length_8);
+        delta_theta[9 * n + state] = 200.0 * (0.04661544808322666 - length_9);
+        delta_theta[10 * n + state] = 200.0 * (0.04661544808322666 - length_10);
+        delta_theta[11 * n + state] = 200.0 * (0.04661544808322666 - length_11);
+        delta_theta[12 * n + state] = 200.0 * (0.04661544808322666 - length_12);
+        delta_theta[13 * n + state] = 200.0 * (0.04669047011971501 - length_13);
+        delta_theta[14 * n + state] = 200.0 * (0.04661544808322666 - length_14);
+        delta_theta[15 * n + state] = 200.0 * (0.04661544808322666 - length_15);
+        delta_theta[16 * n + state] = 200.0 * (0.04661544808322666 - length_16);
+        delta_theta[17 * n + state] = 200.0 * (0.04661544808322666 - length_17);
+        delta_theta[18 * n + state] = 200.0 * (0.04669047011971501 - length_18);
+        delta_theta[19 * n + state] = 200.0 * (0.046561786907291264 - length_19);
+        delta_theta[20 * n + state] = 200.0 * (0.04661544808322666 - length_20);
+        delta_theta[21 * n + state] = 200.0 * (0.046561786907291264 - length_21);
+        delta_theta[22 * n + state] = 200.0 * (0.046561786907291264 - length_22);
+        delta_theta[23 * n + state] = 200.0 * (0.04661544808322666 - length_23);
+        delta_theta[24 * n + state] = 200.0 * (0.046561786907291264 - length_24);
+        delta_theta[25 * n + state] = 200.0 * (0.04661544808322666 - length_25);
+        delta_theta[26 * n + state] = 200.0 * (0.046561786907291264 - length_26);
+        delta_theta[27 * n + state] = 200.0 * (0.046561786907291264 - length_27);
+        delta_theta[28 * n + state] = 200.0 * (0.04661544808322666 - length_28);
+        delta_theta[29 * n + state] = 200.0 * (0.046561786907291264 - length_29);
+        delta_theta[30 * n + state] = 200.0 * (0.04661544808322666 - length_30);
+        delta_theta[31 * n + state] = 200.0 * (0.046561786907291264 - length_31);
+        delta_theta[32 * n + state] = 200.0 * (0.046561786907291264 - length_32);
+        delta_theta[33 * n + state] = 200.0 * (0.04661544808322666 - length_33);
+        delta_theta[34 * n + state] = 200.0 * (0.046561786907291264 - length_34);
+        delta_theta[35 * n + state] = 200.0 * (0.04661544808322666 - length_35);
+        delta_theta[36 * n + state] = 200.0 * (0.046561786907291264 - length_36);
+        delta_theta[37 * n + state] = 200.0 * (0.046561786907291264 - length_37);
     }
 }
 
@@ -3790,16 +3242,12 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         double sin_q73, cos_q73;
         sinew_sincos(q_wrist[1 * n + state], &sin_q73, &cos_q73);
         const double B_y = 0.074565407529229 * cos_q73;
-        const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-        const double t1 = 1.0 / B_to_C0_squared;
+        const double t1 = 1.0 / (0.007324 - 0.084 * B_y);
         const double ratio = 0.003796 * t1;
-        const double cos_q73_by_t = qd_wrist[1 * n + state] * sin_q73;
-        const double B_y_by_t = 0.074565407529229 * cos_q73_by_t;
-        const double B_to_C0_squared_by_t = 0.084 * B_y_by_t;
-        const double ratio_by_t = ratio * B_to_C0_squared_by_t * t1;
+        const double B_y_by_t = 0.074565407529229 * (qd_wrist[1 * n + state] * sin_q73);
+        const double ratio_by_t = ratio * (0.084 * B_y_by_t) * t1;
         const double B_e = 0.074565407529229 * sin_q73;
-        const double sin_q73_by_t = qd_wrist[1 * n + state] * cos_q73;
-        const double B_e_by_t = 0.074565407529229 * sin_q73_by_t;
+        const double B_e_by_t = 0.074565407529229 * (qd_wrist[1 * n + state] * cos_q73);
         const double C_e_by_t = B_e * ratio_by_t - ratio * B_e_by_t;
         const double M_e_by_t = 0.5 * (B_e_by_t - C_e_by_t);
         const double sin_q71_by_t = qd_wrist[state] * cos_q71;
@@ -3846,8 +3294,7 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double t11 = 1e-12 * reach_squared;
         const double clearance_by_t = sinew_choose(-(t11 - t10), t9 + t9, 1e-12
             * reach_squared_by_t);
-        const double clearance = sinew_max(t10, t11);
-        const double root = sinew_sqrt(clearance);
+        const double root = sinew_sqrt(sinew_max(t10, t11));
         const double root_by_t = 0.5 * clearance_by_t / root;
         const double t12 = p_y * limited_by_t + p_z * root_by_t + limited * p_y_by_t - root
             * p_z_by_t;
@@ -3862,8 +3309,7 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double z_plane_x = u_y * cos_A;
         const double z_x_by_t = cos_q71 * z_plane_x_by_t - sin_q71 * sin_A_by_t - sin_A
             * sin_q71_by_t - z_plane_x * cos_q71_by_t;
-        const double M_x_by_t = cos_q71 * M_e_by_t - M_e * cos_q71_by_t;
-        const double origin_x_by_t = M_x_by_t - 0.018 * z_x_by_t;
+        const double origin_x_by_t = cos_q71 * M_e_by_t - M_e * cos_q71_by_t - 0.018 * z_x_by_t;
         const double x_plane_x_by_t = u_y * sin_A_by_t - sin_A * u_y_by_t;
         const double x_plane_x = u_y * sin_A;
         const double x_x_by_t = cos_q71 * x_plane_x_by_t + sin_q71 * cos_A_by_t + cos_A
@@ -3873,16 +3319,14 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double y_x_by_t = cos_q71 * u_e_by_t - u_e * cos_q71_by_t;
         const double layer_0_x_by_t = t15 + t16 - 0.011 * y_x_by_t;
         const double z_x = cos_q71 * z_plane_x - sin_q71 * sin_A;
-        const double M_x = cos_q71 * M_e;
-        const double x_x = cos_q71 * x_plane_x + sin_q71 * cos_A;
-        const double t17 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+        const double t17 = 0.004 - cos_q71 * M_e + 0.018 * z_x + 0.004 * (cos_q71 * x_plane_x
+            + sin_q71 * cos_A);
         const double t18 = 0.01 * z_x;
         const double y_x = cos_q71 * u_e;
         const double layer_0_x = t17 - t18 + 0.011 * y_x;
         const double z_z_by_t = cos_q71 * sin_A_by_t + sin_q71 * z_plane_x_by_t - sin_A
             * cos_q71_by_t + z_plane_x * sin_q71_by_t;
-        const double M_z_by_t = sin_q71 * M_e_by_t + M_e * sin_q71_by_t;
-        const double origin_z_by_t = M_z_by_t - 0.018 * z_z_by_t;
+        const double origin_z_by_t = sin_q71 * M_e_by_t + M_e * sin_q71_by_t - 0.018 * z_z_by_t;
         const double x_z_by_t = cos_q71 * cos_A_by_t - sin_q71 * x_plane_x_by_t - cos_A
             * cos_q71_by_t - x_plane_x * sin_q71_by_t;
         const double t19 = origin_z_by_t + 0.004 * x_z_by_t;
@@ -3890,244 +3334,174 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double y_z_by_t = sin_q71 * u_e_by_t + u_e * sin_q71_by_t;
         const double layer_0_z_by_t = t19 + t20 - 0.011 * y_z_by_t;
         const double z_z = cos_q71 * sin_A + sin_q71 * z_plane_x;
-        const double M_z = sin_q71 * M_e;
-        const double origin_z = M_z - 0.018 * z_z;
-        const double x_z = cos_q71 * cos_A - sin_q71 * x_plane_x;
-        const double t21 = 0.004 * x_z;
+        const double origin_z = sin_q71 * M_e - 0.018 * z_z;
+        const double t21 = 0.004 * (cos_q71 * cos_A - sin_q71 * x_plane_x);
         const double t22 = 0.01 * z_z;
         const double y_z = sin_q71 * u_e;
         const double layer_0_z = 0.008 - origin_z - t21 - t22 + 0.011 * y_z;
         const double across_by_t = layer_0_x * layer_0_x_by_t + layer_0_z * layer_0_z_by_t;
         const double z_plane_y_by_t = u_e * cos_A_by_t + cos_A * u_e_by_t;
-        const double origin_y_by_t = M_y_by_t - 0.018 * z_plane_y_by_t;
-        const double x_plane_y_by_t = u_e * sin_A_by_t + sin_A * u_e_by_t;
-        const double t23 = origin_y_by_t - 0.004 * x_plane_y_by_t;
+        const double t23 = M_y_by_t - 0.018 * z_plane_y_by_t - 0.004 * (u_e * sin_A_by_t + sin_A
+            * u_e_by_t);
         const double t24 = 0.01 * z_plane_y_by_t;
         const double t25 = 0.011 * u_y_by_t;
         const double layer_0_y_by_t = t23 + t24 - t25;
         const double z_plane_y = u_e * cos_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double x_plane_y = u_e * sin_A;
-        const double t26 = 0.004 * x_plane_y;
+        const double t26 = 0.004 * (u_e * sin_A);
         const double t27 = 0.01 * z_plane_y;
         const double t28 = 0.011 * u_y;
         const double layer_0_y = 0.007 - origin_y - t26 + t27 + t28;
-        const double half_square_by = across_by_t - layer_0_y * layer_0_y_by_t;
         const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
         const double twice_across = across + across;
         const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
-        const double length_0_by_t = half_square_by / length_0;
+        const double length_0_by_t = (across_by_t - layer_0_y * layer_0_y_by_t) / length_0;
         const double across_by_y_by_t = y_x * layer_0_x_by_t + y_z * layer_0_z_by_t - layer_0_x
             * y_x_by_t - layer_0_z * y_z_by_t;
         const double across_by_y_squared_by_t = y_x * y_x_by_t + y_z * y_z_by_t;
         const double across_slope_72 = across_by_y_by_t + 0.001 * across_by_y_squared_by_t;
-        const double across_76 = across_by_t - 0.001 * across_slope_72;
-        const double strand_y_by = layer_0_y_by_t + 0.001 * u_y_by_t;
         const double strand_y_1 = 0.001 + layer_0_y - 0.001 * u_y;
-        const double half_square_by_2 = across_76 - strand_y_1 * strand_y_by;
+        const double half_square_by_2 = across_by_t - 0.001 * across_slope_72 - strand_y_1
+            * (layer_0_y_by_t + 0.001 * u_y_by_t);
         const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
         const double twice_across_2 = across_by_y + across_by_y;
         const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
         const double twice_across_4 = across_by_y_squared + across_by_y_squared;
-        const double across_slope = twice_across_2 - 0.001 * twice_across_4;
-        const double across_2 = twice_across - 0.001 * across_slope;
+        const double across_2 = twice_across - 0.001 * (twice_across_2 - 0.001 * twice_across_4);
         const double length_1 = sinew_sqrt(across_2 + strand_y_1 * strand_y_1);
-        const double length_1_by_t = half_square_by_2 / length_1;
         const double t29 = 0.003 * across_by_y_squared_by_t;
-        const double across_slope_74 = across_by_y_by_t + t29;
-        const double across_78 = across_by_t - 0.003 * across_slope_74;
+        const double across_78 = across_by_t - 0.003 * (across_by_y_by_t + t29);
         const double t30 = 0.003 * u_y_by_t;
-        const double strand_y_by_2 = layer_0_y_by_t + t30;
         const double t31 = 0.003 * u_y;
         const double strand_y_2 = 0.003 + layer_0_y - t31;
-        const double half_square_by_4 = across_78 - strand_y_2 * strand_y_by_2;
+        const double half_square_by_4 = across_78 - strand_y_2 * (layer_0_y_by_t + t30);
         const double t32 = 0.003 * twice_across_4;
-        const double across_slope_2 = twice_across_2 - t32;
-        const double across_4 = twice_across - 0.003 * across_slope_2;
+        const double across_4 = twice_across - 0.003 * (twice_across_2 - t32);
         const double length_2 = sinew_sqrt(across_4 + strand_y_2 * strand_y_2);
-        const double length_2_by_t = half_square_by_4 / length_2;
         const double t33 = 0.005 * across_by_y_squared_by_t;
-        const double across_slope_76 = across_by_y_by_t + t33;
-        const double across_80 = across_by_t - 0.005 * across_slope_76;
+        const double across_80 = across_by_t - 0.005 * (across_by_y_by_t + t33);
         const double t34 = 0.005 * u_y_by_t;
-        const double strand_y_by_4 = layer_0_y_by_t + t34;
         const double t35 = 0.005 * u_y;
         const double strand_y_3 = 0.004 + layer_0_y - t35;
-        const double half_square_by_6 = across_80 - strand_y_3 * strand_y_by_4;
+        const double half_square_by_6 = across_80 - strand_y_3 * (layer_0_y_by_t + t34);
         const double t36 = 0.005 * twice_across_4;
-        const double across_slope_4 = twice_across_2 - t36;
-        const double across_6 = twice_across - 0.005 * across_slope_4;
+        const double across_6 = twice_across - 0.005 * (twice_across_2 - t36);
         const double length_3 = sinew_sqrt(across_6 + strand_y_3 * strand_y_3);
-        const double length_3_by_t = half_square_by_6 / length_3;
         const double across_slope_78 = across_by_y_by_t + 0.006 * across_by_y_squared_by_t;
-        const double across_82 = across_by_t - 0.006 * across_slope_78;
-        const double strand_y_by_6 = layer_0_y_by_t + 0.006 * u_y_by_t;
         const double strand_y_4 = 0.006 + layer_0_y - 0.006 * u_y;
-        const double half_square_by_8 = across_82 - strand_y_4 * strand_y_by_6;
-        const double across_slope_6 = twice_across_2 - 0.006 * twice_across_4;
-        const double across_8 = twice_across - 0.006 * across_slope_6;
+        const double half_square_by_8 = across_by_t - 0.006 * across_slope_78 - strand_y_4
+            * (layer_0_y_by_t + 0.006 * u_y_by_t);
+        const double across_8 = twice_across - 0.006 * (twice_across_2 - 0.006 * twice_across_4);
         const double length_4 = sinew_sqrt(across_8 + strand_y_4 * strand_y_4);
-        const double length_4_by_t = half_square_by_8 / length_4;
         const double t37 = 0.008 * across_by_y_squared_by_t;
-        const double across_slope_80 = across_by_y_by_t + t37;
-        const double across_84 = across_by_t - 0.008 * across_slope_80;
+        const double across_84 = across_by_t - 0.008 * (across_by_y_by_t + t37);
         const double t38 = 0.008 * u_y_by_t;
-        const double strand_y_by_8 = layer_0_y_by_t + t38;
         const double t39 = 0.008 * u_y;
         const double strand_y_5 = 0.008 + layer_0_y - t39;
-        const double half_square_by_10 = across_84 - strand_y_5 * strand_y_by_8;
+        const double half_square_by_10 = across_84 - strand_y_5 * (layer_0_y_by_t + t38);
         const double t40 = 0.008 * twice_across_4;
-        const double across_slope_8 = twice_across_2 - t40;
-        const double across_10 = twice_across - 0.008 * across_slope_8;
+        const double across_10 = twice_across - 0.008 * (twice_across_2 - t40);
         const double length_5 = sinew_sqrt(across_10 + strand_y_5 * strand_y_5);
-        const double length_5_by_t = half_square_by_10 / length_5;
         const double across_slope_82 = across_by_y_by_t + 0.009 * across_by_y_squared_by_t;
-        const double across_86 = across_by_t - 0.009 * across_slope_82;
-        const double strand_y_by_10 = layer_0_y_by_t + 0.009 * u_y_by_t;
         const double strand_y_6 = 0.009 + layer_0_y - 0.009 * u_y;
-        const double half_square_by_12 = across_86 - strand_y_6 * strand_y_by_10;
-        const double across_slope_10 = twice_across_2 - 0.009 * twice_across_4;
-        const double across_12 = twice_across - 0.009 * across_slope_10;
+        const double half_square_by_12 = across_by_t - 0.009 * across_slope_82 - strand_y_6
+            * (layer_0_y_by_t + 0.009 * u_y_by_t);
+        const double across_12 = twice_across - 0.009 * (twice_across_2 - 0.009 * twice_across_4);
         const double length_6 = sinew_sqrt(across_12 + strand_y_6 * strand_y_6);
-        const double length_6_by_t = half_square_by_12 / length_6;
         const double t41 = 0.011 * across_by_y_squared_by_t;
-        const double across_slope_84 = across_by_y_by_t + t41;
-        const double across_88 = across_by_t - 0.011 * across_slope_84;
-        const double strand_y_by_12 = layer_0_y_by_t + t25;
+        const double across_88 = across_by_t - 0.011 * (across_by_y_by_t + t41);
         const double strand_y_7 = 0.011 + layer_0_y - t28;
-        const double half_square_by_14 = across_88 - strand_y_7 * strand_y_by_12;
+        const double half_square_by_14 = across_88 - strand_y_7 * (layer_0_y_by_t + t25);
         const double t42 = 0.011 * twice_across_4;
-        const double across_slope_12 = twice_across_2 - t42;
-        const double across_14 = twice_across - 0.011 * across_slope_12;
+        const double across_14 = twice_across - 0.011 * (twice_across_2 - t42);
         const double length_7 = sinew_sqrt(across_14 + strand_y_7 * strand_y_7);
-        const double length_7_by_t = half_square_by_14 / length_7;
         const double t43 = 0.013 * across_by_y_squared_by_t;
-        const double across_slope_86 = across_by_y_by_t + t43;
-        const double across_90 = across_by_t - 0.013 * across_slope_86;
+        const double across_90 = across_by_t - 0.013 * (across_by_y_by_t + t43);
         const double t44 = 0.013 * u_y_by_t;
-        const double strand_y_by_14 = layer_0_y_by_t + t44;
         const double t45 = 0.013 * u_y;
         const double strand_y_8 = 0.012 + layer_0_y - t45;
-        const double half_square_by_16 = across_90 - strand_y_8 * strand_y_by_14;
+        const double half_square_by_16 = across_90 - strand_y_8 * (layer_0_y_by_t + t44);
         const double t46 = 0.013 * twice_across_4;
-        const double across_slope_14 = twice_across_2 - t46;
-        const double across_16 = twice_across - 0.013 * across_slope_14;
+        const double across_16 = twice_across - 0.013 * (twice_across_2 - t46);
         const double length_8 = sinew_sqrt(across_16 + strand_y_8 * strand_y_8);
-        const double length_8_by_t = half_square_by_16 / length_8;
         const double across_slope_88 = across_by_y_by_t + 0.014 * across_by_y_squared_by_t;
-        const double across_92 = across_by_t - 0.014 * across_slope_88;
-        const double strand_y_by_16 = layer_0_y_by_t + 0.014 * u_y_by_t;
         const double strand_y_9 = 0.014 + layer_0_y - 0.014 * u_y;
-        const double half_square_by_18 = across_92 - strand_y_9 * strand_y_by_16;
-        const double across_slope_16 = twice_across_2 - 0.014 * twice_across_4;
-        const double across_18 = twice_across - 0.014 * across_slope_16;
+        const double half_square_by_18 = across_by_t - 0.014 * across_slope_88 - strand_y_9
+            * (layer_0_y_by_t + 0.014 * u_y_by_t);
+        const double across_18 = twice_across - 0.014 * (twice_across_2 - 0.014 * twice_across_4);
         const double length_9 = sinew_sqrt(across_18 + strand_y_9 * strand_y_9);
-        const double length_9_by_t = half_square_by_18 / length_9;
         const double t47 = 0.016 * across_by_y_squared_by_t;
-        const double across_slope_90 = across_by_y_by_t + t47;
-        const double across_94 = across_by_t - 0.016 * across_slope_90;
+        const double across_94 = across_by_t - 0.016 * (across_by_y_by_t + t47);
         const double t48 = 0.016 * u_y_by_t;
-        const double strand_y_by_18 = layer_0_y_by_t + t48;
         const double t49 = 0.016 * u_y;
         const double strand_y_10 = 0.016 + layer_0_y - t49;
-        const double half_square_by_20 = across_94 - strand_y_10 * strand_y_by_18;
+        const double half_square_by_20 = across_94 - strand_y_10 * (layer_0_y_by_t + t48);
         const double t50 = 0.016 * twice_across_4;
-        const double across_slope_18 = twice_across_2 - t50;
-        const double across_20 = twice_across - 0.016 * across_slope_18;
+        const double across_20 = twice_across - 0.016 * (twice_across_2 - t50);
         const double length_10 = sinew_sqrt(across_20 + strand_y_10 * strand_y_10);
-        const double length_10_by_t = half_square_by_20 / length_10;
         const double across_slope_92 = across_by_y_by_t + 0.017 * across_by_y_squared_by_t;
-        const double across_96 = across_by_t - 0.017 * across_slope_92;
-        const double strand_y_by_20 = layer_0_y_by_t + 0.017 * u_y_by_t;
         const double strand_y_11 = 0.017 + layer_0_y - 0.017 * u_y;
-        const double half_square_by_22 = across_96 - strand_y_11 * strand_y_by_20;
-        const double across_slope_20 = twice_across_2 - 0.017 * twice_across_4;
-        const double across_22 = twice_across - 0.017 * across_slope_20;
+        const double half_square_by_22 = across_by_t - 0.017 * across_slope_92 - strand_y_11
+            * (layer_0_y_by_t + 0.017 * u_y_by_t);
+        const double across_22 = twice_across - 0.017 * (twice_across_2 - 0.017 * twice_across_4);
         const double length_11 = sinew_sqrt(across_22 + strand_y_11 * strand_y_11);
-        const double length_11_by_t = half_square_by_22 / length_11;
         const double t51 = 0.019 * across_by_y_squared_by_t;
-        const double across_slope_94 = across_by_y_by_t + t51;
-        const double across_98 = across_by_t - 0.019 * across_slope_94;
+        const double across_98 = across_by_t - 0.019 * (across_by_y_by_t + t51);
         const double t52 = 0.019 * u_y_by_t;
-        const double strand_y_by_22 = layer_0_y_by_t + t52;
         const double t53 = 0.019 * u_y;
         const double strand_y_12 = 0.019 + layer_0_y - t53;
-        const double half_square_by_24 = across_98 - strand_y_12 * strand_y_by_22;
+        const double half_square_by_24 = across_98 - strand_y_12 * (layer_0_y_by_t + t52);
         const double t54 = 0.019 * twice_across_4;
-        const double across_slope_22 = twice_across_2 - t54;
-        const double across_24 = twice_across - 0.019 * across_slope_22;
+        const double across_24 = twice_across - 0.019 * (twice_across_2 - t54);
         const double length_12 = sinew_sqrt(across_24 + strand_y_12 * strand_y_12);
-        const double length_12_by_t = half_square_by_24 / length_12;
         const double t55 = 0.021 * across_by_y_squared_by_t;
-        const double across_slope_96 = across_by_y_by_t + t55;
-        const double across_100 = across_by_t - 0.021 * across_slope_96;
+        const double across_100 = across_by_t - 0.021 * (across_by_y_by_t + t55);
         const double t56 = 0.021 * u_y_by_t;
-        const double strand_y_by_24 = layer_0_y_by_t + t56;
         const double t57 = 0.021 * u_y;
         const double strand_y_13 = 0.02 + layer_0_y - t57;
-        const double half_square_by_26 = across_100 - strand_y_13 * strand_y_by_24;
+        const double half_square_by_26 = across_100 - strand_y_13 * (layer_0_y_by_t + t56);
         const double t58 = 0.021 * twice_across_4;
-        const double across_slope_24 = twice_across_2 - t58;
-        const double across_26 = twice_across - 0.021 * across_slope_24;
+        const double across_26 = twice_across - 0.021 * (twice_across_2 - t58);
         const double length_13 = sinew_sqrt(across_26 + strand_y_13 * strand_y_13);
-        const double length_13_by_t = half_square_by_26 / length_13;
         const double across_slope_98 = across_by_y_by_t + 0.022 * across_by_y_squared_by_t;
-        const double across_102 = across_by_t - 0.022 * across_slope_98;
-        const double strand_y_by_26 = layer_0_y_by_t + 0.022 * u_y_by_t;
         const double strand_y_14 = 0.022 + layer_0_y - 0.022 * u_y;
-        const double half_square_by_28 = across_102 - strand_y_14 * strand_y_by_26;
-        const double across_slope_26 = twice_across_2 - 0.022 * twice_across_4;
-        const double across_28 = twice_across - 0.022 * across_slope_26;
+        const double half_square_by_28 = across_by_t - 0.022 * across_slope_98 - strand_y_14
+            * (layer_0_y_by_t + 0.022 * u_y_by_t);
+        const double across_28 = twice_across - 0.022 * (twice_across_2 - 0.022 * twice_across_4);
         const double length_14 = sinew_sqrt(across_28 + strand_y_14 * strand_y_14);
-        const double length_14_by_t = half_square_by_28 / length_14;
         const double t59 = 0.024 * across_by_y_squared_by_t;
-        const double across_slope_100 = across_by_y_by_t + t59;
-        const double across_104 = across_by_t - 0.024 * across_slope_100;
+        const double across_104 = across_by_t - 0.024 * (across_by_y_by_t + t59);
         const double t60 = 0.024 * u_y_by_t;
-        const double strand_y_by_28 = layer_0_y_by_t + t60;
         const double t61 = 0.024 * u_y;
         const double strand_y_15 = 0.024 + layer_0_y - t61;
-        const double half_square_by_30 = across_104 - strand_y_15 * strand_y_by_28;
+        const double half_square_by_30 = across_104 - strand_y_15 * (layer_0_y_by_t + t60);
         const double t62 = 0.024 * twice_across_4;
-        const double across_slope_28 = twice_across_2 - t62;
-        const double across_30 = twice_across - 0.024 * across_slope_28;
+        const double across_30 = twice_across - 0.024 * (twice_across_2 - t62);
         const double length_15 = sinew_sqrt(across_30 + strand_y_15 * strand_y_15);
-        const double length_15_by_t = half_square_by_30 / length_15;
         const double across_slope_102 = across_by_y_by_t + 0.025 * across_by_y_squared_by_t;
-        const double across_106 = across_by_t - 0.025 * across_slope_102;
-        const double strand_y_by_30 = layer_0_y_by_t + 0.025 * u_y_by_t;
         const double strand_y_16 = 0.025 + layer_0_y - 0.025 * u_y;
-        const double half_square_by_32 = across_106 - strand_y_16 * strand_y_by_30;
-        const double across_slope_30 = twice_across_2 - 0.025 * twice_across_4;
-        const double across_32 = twice_across - 0.025 * across_slope_30;
+        const double half_square_by_32 = across_by_t - 0.025 * across_slope_102 - strand_y_16
+            * (layer_0_y_by_t + 0.025 * u_y_by_t);
+        const double across_32 = twice_across - 0.025 * (twice_across_2 - 0.025 * twice_across_4);
         const double length_16 = sinew_sqrt(across_32 + strand_y_16 * strand_y_16);
-        const double length_16_by_t = half_square_by_32 / length_16;
         const double t63 = 0.027 * across_by_y_squared_by_t;
-        const double across_slope_104 = across_by_y_by_t + t63;
-        const double across_108 = across_by_t - 0.027 * across_slope_104;
+        const double across_108 = across_by_t - 0.027 * (across_by_y_by_t + t63);
         const double t64 = 0.027 * u_y_by_t;
-        const double strand_y_by_32 = layer_0_y_by_t + t64;
         const double t65 = 0.027 * u_y;
         const double strand_y_17 = 0.027 + layer_0_y - t65;
-        const double half_square_by_34 = across_108 - strand_y_17 * strand_y_by_32;
+        const double half_square_by_34 = across_108 - strand_y_17 * (layer_0_y_by_t + t64);
         const double t66 = 0.027 * twice_across_4;
-        const double across_slope_32 = twice_across_2 - t66;
-        const double across_34 = twice_across - 0.027 * across_slope_32;
+        const double across_34 = twice_across - 0.027 * (twice_across_2 - t66);
         const double length_17 = sinew_sqrt(across_34 + strand_y_17 * strand_y_17);
-        const double length_17_by_t = half_square_by_34 / length_17;
         const double t67 = 0.029 * across_by_y_squared_by_t;
-        const double across_slope_106 = across_by_y_by_t + t67;
-        const double across_110 = across_by_t - 0.029 * across_slope_106;
+        const double across_110 = across_by_t - 0.029 * (across_by_y_by_t + t67);
         const double t68 = 0.029 * u_y_by_t;
-        const double strand_y_by_34 = layer_0_y_by_t + t68;
         const double t69 = 0.029 * u_y;
         const double strand_y_18 = 0.028 + layer_0_y - t69;
-        const double half_square_by_36 = across_110 - strand_y_18 * strand_y_by_34;
+        const double half_square_by_36 = across_110 - strand_y_18 * (layer_0_y_by_t + t68);
         const double t70 = 0.029 * twice_across_4;
-        const double across_slope_34 = twice_across_2 - t70;
-        const double across_36 = twice_across - 0.029 * across_slope_34;
+        const double across_36 = twice_across - 0.029 * (twice_across_2 - t70);
         const double length_18 = sinew_sqrt(across_36 + strand_y_18 * strand_y_18);
-        const double length_18_by_t = half_square_by_36 / length_18;
         const double layer_1_x_by_t = t15 - t16 - 0.013 * y_x_by_t;
         const double layer_1_x = t17 + t18 + 0.013 * y_x;
         const double layer_1_z_by_t = t19 - t20 - 0.013 * y_z_by_t;
@@ -4139,211 +3513,151 @@ void hand_feedforward_rate_batch(int count, const double *SINEW_RESTRICT q_wrist
         const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
         const double twice_across_6 = across_38 + across_38;
         const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
-        const double length_19_by_t = half_square_by_38 / length_19;
         const double across_by_y_2_by_t = y_x * layer_1_x_by_t + y_z * layer_1_z_by_t - layer_1_x
             * y_x_by_t - layer_1_z * y_z_by_t;
         const double across_slope_108 = across_by_y_2_by_t + 0.002 * across_by_y_squared_by_t;
         const double across_112 = across_38_by_t - 0.002 * across_slope_108;
-        const double strand_y_by_36 = layer_1_y_by_t + 0.002 * u_y_by_t;
         const double strand_y_20 = 0.001 + layer_1_y - 0.002 * u_y;
-        const double half_square_by_40 = across_112 - strand_y_20 * strand_y_by_36;
+        const double half_square_by_40 = across_112 - strand_y_20 * (layer_1_y_by_t + 0.002
+            * u_y_by_t);
         const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
         const double twice_across_8 = across_by_y_2 + across_by_y_2;
-        const double across_slope_36 = twice_across_8 - 0.002 * twice_across_4;
-        const double across_40 = twice_across_6 - 0.002 * across_slope_36;
+        const double across_40 = twice_across_6 - 0.002 * (twice_across_8 - 0.002 * twice_across_4);
         const double length_20 = sinew_sqrt(across_40 + strand_y_20 * strand_y_20);
-        const double length_20_by_t = half_square_by_40 / length_20;
-        const double across_slope_110 = across_by_y_2_by_t + t29;
-        const double across_114 = across_38_by_t - 0.003 * across_slope_110;
-        const double strand_y_by_38 = layer_1_y_by_t + t30;
+        const double across_114 = across_38_by_t - 0.003 * (across_by_y_2_by_t + t29);
         const double strand_y_21 = 0.003 + layer_1_y - t31;
-        const double half_square_by_42 = across_114 - strand_y_21 * strand_y_by_38;
-        const double across_slope_38 = twice_across_8 - t32;
-        const double across_42 = twice_across_6 - 0.003 * across_slope_38;
+        const double half_square_by_42 = across_114 - strand_y_21 * (layer_1_y_by_t + t30);
+        const double across_42 = twice_across_6 - 0.003 * (twice_across_8 - t32);
         const double length_21 = sinew_sqrt(across_42 + strand_y_21 * strand_y_21);
-        const double length_21_by_t = half_square_by_42 / length_21;
-        const double across_slope_112 = across_by_y_2_by_t + t33;
-        const double across_116 = across_38_by_t - 0.005 * across_slope_112;
-        const double strand_y_by_40 = layer_1_y_by_t + t34;
+        const double across_116 = across_38_by_t - 0.005 * (across_by_y_2_by_t + t33);
         const double strand_y_22 = 0.005 + layer_1_y - t35;
-        const double half_square_by_44 = across_116 - strand_y_22 * strand_y_by_40;
-        const double across_slope_40 = twice_across_8 - t36;
-        const double across_44 = twice_across_6 - 0.005 * across_slope_40;
+        const double half_square_by_44 = across_116 - strand_y_22 * (layer_1_y_by_t + t34);
+        const double across_44 = twice_across_6 - 0.005 * (twice_across_8 - t36);
         const double length_22 = sinew_sqrt(across_44 + strand_y_22 * strand_y_22);
-        const double length_22_by_t = half_square_by_44 / length_22;
         const double across_slope_114 = across_by_y_2_by_t + 0.007 * across_by_y_squared_by_t;
         const double across_118 = across_38_by_t - 0.007 * across_slope_114;
-        const double strand_y_by_42 = layer_1_y_by_t + 0.007 * u_y_by_t;
         const double strand_y_23 = 0.006 + layer_1_y - 0.007 * u_y;
-        const double half_square_by_46 = across_118 - strand_y_23 * strand_y_by_42;
-        const double across_slope_42 = twice_across_8 - 0.007 * twice_across_4;
-        const double across_46 = twice_across_6 - 0.007 * across_slope_42;
+        const double half_square_by_46 = across_118 - strand_y_23 * (layer_1_y_by_t + 0.007
+            * u_y_by_t);
+        const double across_46 = twice_across_6 - 0.007 * (twice_across_8 - 0.007 * twice_across_4);
         const double length_23 = sinew_sqrt(across_46 + strand_y_23 * strand_y_23);
-        const double length_23_by_t = half_square_by_46 / length_23;
-        const double across_slope_116 = across_by_y_2_by_t + t37;
-        const double across_120 = across_38_by_t - 0.008 * across_slope_116;
-        const double strand_y_by_44 = layer_1_y_by_t + t38;
+        const double across_120 = across_38_by_t - 0.008 * (across_by_y_2_by_t + t37);
         const double strand_y_24 = 0.008 + layer_1_y - t39;
-        const double half_square_by_48 = across_120 - strand_y_24 * strand_y_by_44;
-        const double across_slope_44 = twice_across_8 - t40;
-        const double across_48 = twice_across_6 - 0.008 * across_slope_44;
+        const double half_square_by_48 = across_120 - strand_y_24 * (layer_1_y_by_t + t38);
+        const double across_48 = twice_across_6 - 0.008 * (twice_across_8 - t40);
         const double length_24 = sinew_sqrt(across_48 + strand_y_24 * strand_y_24);
-        const double length_24_by_t = half_square_by_48 / length_24;
         const double across_slope_118 = across_by_y_2_by_t + 0.01 * across_by_y_squared_by_t;
-        const double across_122 = across_38_by_t - 0.01 * across_slope_118;
-        const double strand_y_by_46 = layer_1_y_by_t + 0.01 * u_y_by_t;
         const double strand_y_25 = 0.009 + layer_1_y - 0.01 * u_y;
-        const double half_square_by_50 = across_122 - strand_y_25 * strand_y_by_46;
-        const double across_slope_46 = twice_across_8 - 0.01 * twice_across_4;
-        const double across_50 = twice_across_6 - 0.01 * across_slope_46;
+        const double half_square_by_50 = across_38_by_t - 0.01 * across_slope_118 - strand_y_25
+            * (layer_1_y_by_t + 0.01 * u_y_by_t);
+        const double across_50 = twice_across_6 - 0.01 * (twice_across_8 - 0.01 * twice_across_4);
         const double length_25 = sinew_sqrt(across_50 + strand_y_25 * strand_y_25);
-        const double length_25_by_t = half_square_by_50 / length_25;
-        const double across_slope_120 = across_by_y_2_by_t + t41;
-        const double across_124 = across_38_by_t - 0.011 * across_slope_120;
-        const double strand_y_by_48 = layer_1_y_by_t + t25;
+        const double across_124 = across_38_by_t - 0.011 * (across_by_y_2_by_t + t41);
         const double strand_y_26 = 0.011 + layer_1_y - t28;
-        const double half_square_by_52 = across_124 - strand_y_26 * strand_y_by_48;
-        const double across_slope_48 = twice_across_8 - t42;
-        const double across_52 = twice_across_6 - 0.011 * across_slope_48;
+        const double half_square_by_52 = across_124 - strand_y_26 * (layer_1_y_by_t + t25);
+        const double across_52 = twice_across_6 - 0.011 * (twice_across_8 - t42);
         const double length_26 = sinew_sqrt(across_52 + strand_y_26 * strand_y_26);
-        const double length_26_by_t = half_square_by_52 / length_26;
-        const double across_slope_122 = across_by_y_2_by_t + t43;
-        const double across_126 = across_38_by_t - 0.013 * across_slope_122;
-        const double strand_y_by_50 = layer_1_y_by_t + t44;
+        const double across_126 = across_38_by_t - 0.013 * (across_by_y_2_by_t + t43);
         const double strand_y_27 = 0.013 + layer_1_y - t45;
-        const double half_square_by_54 = across_126 - strand_y_27 * strand_y_by_50;
-        const double across_slope_50 = twice_across_8 - t46;
-        const double across_54 = twice_across_6 - 0.013 * across_slope_50;
+        const double half_square_by_54 = across_126 - strand_y_27 * (layer_1_y_by_t + t44);
+        const double across_54 = twice_across_6 - 0.013 * (twice_across_8 - t46);
         const double length_27 = sinew_sqrt(across_54 + strand_y_27 * strand_y_27);
-        const double length_27_by_t = half_square_by_54 / length_27;
         const double across_slope_124 = across_by_y_2_by_t + 0.015 * across_by_y_squared_by_t;
         const double across_128 = across_38_by_t - 0.015 * across_slope_124;
-        const double strand_y_by_52 = layer_1_y_by_t + 0.015 * u_y_by_t;
         const double strand_y_28 = 0.014 + layer_1_y - 0.015 * u_y;
-        const double half_square_by_56 = across_128 - strand_y_28 * strand_y_by_52;
-        const double across_slope_52 = twice_across_8 - 0.015 * twice_across_4;
-        const double across_56 = twice_across_6 - 0.015 * across_slope_52;
+        const double half_square_by_56 = across_128 - strand_y_28 * (layer_1_y_by_t + 0.015
+            * u_y_by_t);
+        const double across_56 = twice_across_6 - 0.015 * (twice_across_8 - 0.015 * twice_across_4);
         const double length_28 = sinew_sqrt(across_56 + strand_y_28 * strand_y_28);
-        const double length_28_by_t = half_square_by_56 / length_28;
-        const double across_slope_126 = across_by_y_2_by_t + t47;
-        const double across_130 = across_38_by_t - 0.016 * across_slope_126;
-        const double strand_y_by_54 = layer_1_y_by_t + t48;
+        const double across_130 = across_38_by_t - 0.016 * (across_by_y_2_by_t + t47);
         const double strand_y_29 = 0.016 + layer_1_y - t49;
-        const double half_square_by_58 = across_130 - strand_y_29 * strand_y_by_54;
-        const double across_slope_54 = twice_across_8 - t50;
-        const double across_58 = twice_across_6 - 0.016 * across_slope_54;
+        const double half_square_by_58 = across_130 - strand_y_29 * (layer_1_y_by_t + t48);
+        const double across_58 = twice_across_6 - 0.016 * (twice_across_8 - t50);
         const double length_29 = sinew_sqrt(across_58 + strand_y_29 * strand_y_29);
-        const double length_29_by_t = half_square_by_58 / length_29;
         const double across_slope_128 = across_by_y_2_by_t + 0.018 * across_by_y_squared_by_t;
         const double across_132 = across_38_by_t - 0.018 * across_slope_128;
-        const double strand_y_by_56 = layer_1_y_by_t + 0.018 * u_y_by_t;
         const double strand_y_30 = 0.017 + layer_1_y - 0.018 * u_y;
-        const double half_square_by_60 = across_132 - strand_y_30 * strand_y_by_56;
-        const double across_slope_56 = twice_across_8 - 0.018 * twice_across_4;
-        const double across_60 = twice_across_6 - 0.018 * across_slope_56;
+        const double half_square_by_60 = across_132 - strand_y_30 * (layer_1_y_by_t + 0.018
+            * u_y_by_t);
+        const double across_60 = twice_across_6 - 0.018 * (twice_across_8 - 0.018 * twice_across_4);
         const double length_30 = sinew_sqrt(across_60 + strand_y_30 * strand_y_30);
-        const double length_30_by_t = half_square_by_60 / length_30;
-        const double across_slope_130 = across_by_y_2_by_t + t51;
-        const double across_134 = across_38_by_t - 0.019 * across_slope_130;
-        const double strand_y_by_58 = layer_1_y_by_t + t52;
+        const double across_134 = across_38_by_t - 0.019 * (across_by_y_2_by_t + t51);
         const double strand_y_31 = 0.019 + layer_1_y - t53;
-        const double half_square_by_62 = across_134 - strand_y_31 * strand_y_by_58;
-        const double across_slope_58 = twice_across_8 - t54;
-        const double across_62 = twice_across_6 - 0.019 * across_slope_58;
+        const double half_square_by_62 = across_134 - strand_y_31 * (layer_1_y_by_t + t52);
+        const double across_62 = twice_across_6 - 0.019 * (twice_across_8 - t54);
         const double length_31 = sinew_sqrt(across_62 + strand_y_31 * strand_y_31);
-        const double length_31_by_t = half_square_by_62 / length_31;
-        const double across_slope_132 = across_by_y_2_by_t + t55;
-        const double across_136 = across_38_by_t - 0.021 * across_slope_132;
-        const double strand_y_by_60 = layer_1_y_by_t + t56;
+        const double across_136 = across_38_by_t - 0.021 * (across_by_y_2_by_t + t55);
         const double strand_y_32 = 0.021 + layer_1_y - t57;
-        const double half_square_by_64 = across_136 - strand_y_32 * strand_y_by_60;
-        const double across_slope_60 = twice_across_8 - t58;
-        const double across_64 = twice_across_6 - 0.021 * across_slope_60;
+        const double half_square_by_64 = across_136 - strand_y_32 * (layer_1_y_by_t + t56);
+        const double across_64 = twice_across_6 - 0.021 * (twice_across_8 - t58);
         const double length_32 = sinew_sqrt(across_64 + strand_y_32 * strand_y_32);
-        const double length_32_by_t = half_square_by_64 / length_32;
         const double across_slope_134 = across_by_y_2_by_t + 0.023 * across_by_y_squared_by_t;
         const double across_138 = across_38_by_t - 0.023 * across_slope_134;
-        const double strand_y_by_62 = layer_1_y_by_t + 0.023 * u_y_by_t;
         const double strand_y_33 = 0.022 + layer_1_y - 0.023 * u_y;
-        const double half_square_by_66 = across_138 - strand_y_33 * strand_y_by_62;
-        const double across_slope_62 = twice_across_8 - 0.023 * twice_across_4;
-        const double across_66 = twice_across_6 - 0.023 * across_slope_62;
+        const double half_square_by_66 = across_138 - strand_y_33 * (layer_1_y_by_t + 0.023
+            * u_y_by_t);
+        const double across_66 = twice_across_6 - 0.023 * (twice_across_8 - 0.023 * twice_across_4);
         const double length_33 = sinew_sqrt(across_66 + strand_y_33 * strand_y_33);
-        const double length_33_by_t = half_square_by_66 / length_33;
-        const double across_slope_136 = across_by_y_2_by_t + t59;
-        const double across_140 = across_38_by_t - 0.024 * across_slope_136;
-        const double strand_y_by_64 = layer_1_y_by_t + t60;
+        const double across_140 = across_38_by_t - 0.024 * (across_by_y_2_by_t + t59);
         const double strand_y_34 = 0.024 + layer_1_y - t61;
-        const double half_square_by_68 = across_140 - strand_y_34 * strand_y_by_64;
-        const double across_slope_64 = twice_across_8 - t62;
-        const double across_68 = twice_across_6 - 0.024 * across_slope_64;
+        const double half_square_by_68 = across_140 - strand_y_34 * (layer_1_y_by_t + t60);
+        const double across_68 = twice_across_6 - 0.024 * (twice_across_8 - t62);
         const double length_34 = sinew_sqrt(across_68 + strand_y_34 * strand_y_34);
-        const double length_34_by_t = half_square_by_68 / length_34;
         const double across_slope_138 = across_by_y_2_by_t + 0.026 * across_by_y_squared_by_t;
         const double across_142 = across_38_by_t - 0.026 * across_slope_138;
-        const double strand_y_by_66 = layer_1_y_by_t + 0.026 * u_y_by_t;
         const double strand_y_35 = 0.025 + layer_1_y - 0.026 * u_y;
-        const double half_square_by_70 = across_142 - strand_y_35 * strand_y_by_66;
-        const double across_slope_66 = twice_across_8 - 0.026 * twice_across_4;
-        const double across_70 = twice_across_6 - 0.026 * across_slope_66;
+        const double half_square_by_70 = across_142 - strand_y_35 * (layer_1_y_by_t + 0.026
+            * u_y_by_t);
+        const double across_70 = twice_across_6 - 0.026 * (twice_across_8 - 0.026 * twice_across_4);
         const double length_35 = sinew_sqrt(across_70 + strand_y_35 * strand_y_35);
-        const double length_35_by_t = half_square_by_70 / length_35;
-        const double across_slope_140 = across_by_y_2_by_t + t63;
-        const double across_144 = across_38_by_t - 0.027 * across_slope_140;
-        const double strand_y_by_68 = layer_1_y_by_t + t64;
+        const double across_144 = across_38_by_t - 0.027 * (across_by_y_2_by_t + t63);
         const double strand_y_36 = 0.027 + layer_1_y - t65;
-        const double half_square_by_72 = across_144 - strand_y_36 * strand_y_by_68;
-        const double across_slope_68 = twice_across_8 - t66;
-        const double across_72 = twice_across_6 - 0.027 * across_slope_68;
+        const double half_square_by_72 = across_144 - strand_y_36 * (layer_1_y_by_t + t64);
+        const double across_72 = twice_across_6 - 0.027 * (twice_across_8 - t66);
         const double length_36 = sinew_sqrt(across_72 + strand_y_36 * strand_y_36);
-        const double length_36_by_t = half_square_by_72 / length_36;
-        const double across_slope_142 = across_by_y_2_by_t + t67;
-        const double across_146 = across_38_by_t - 0.029 * across_slope_142;
-        const double strand_y_by_70 = layer_1_y_by_t + t68;
+        const double across_146 = across_38_by_t - 0.029 * (across_by_y_2_by_t + t67);
         const double strand_y_37 = 0.029 + layer_1_y - t69;
-        const double half_square_by_74 = across_146 - strand_y_37 * strand_y_by_70;
-        const double across_slope_70 = twice_across_8 - t70;
-        const double across_74 = twice_across_6 - 0.029 * across_slope_70;
+        const double half_square_by_74 = across_146 - strand_y_37 * (layer_1_y_by_t + t68);
+        const double across_74 = twice_across_6 - 0.029 * (twice_across_8 - t70);
         const double length_37 = sinew_sqrt(across_74 + strand_y_37 * strand_y_37);
-        const double length_37_by_t = half_square_by_74 / length_37;
         delta_theta_rate[state] = 200.0 * length_0_by_t;
-        delta_theta_rate[1 * n + state] = 200.0 * length_1_by_t;
-        delta_theta_rate[2 * n + state] = 200.0 * length_2_by_t;
-        delta_theta_rate[3 * n + state] = 200.0 * length_3_by_t;
-        delta_theta_rate[4 * n + state] = 200.0 * length_4_by_t;
-        delta_theta_rate[5 * n + state] = 200.0 * length_5_by_t;
-        delta_theta_rate[6 * n + state] = 200.0 * length_6_by_t;
-        delta_theta_rate[7 * n + state] = 200.0 * length_7_by_t;
-        delta_theta_rate[8 * n + state] = 200.0 * length_8_by_t;
-        delta_theta_rate[9 * n + state] = 200.0 * length_9_by_t;
-        delta_theta_rate[10 * n + state] = 200.0 * length_10_by_t;
-        delta_theta_rate[11 * n + state] = 200.0 * length_11_by_t;
-        delta_theta_rate[12 * n + state] = 200.0 * length_12_by_t;
-        delta_theta_rate[13 * n + state] = 200.0 * length_13_by_t;
-        delta_theta_rate[14 * n + state] = 200.0 * length_14_by_t;
-        delta_theta_rate[15 * n + state] = 200.0 * length_15_by_t;
-        delta_theta_rate[16 * n + state] = 200.0 * length_16_by_t;
-        delta_theta_rate[17 * n + state] = 200.0 * length_17_by_t;
-        delta_theta_rate[18 * n + state] = 200.0 * length_18_by_t;
-        delta_theta_rate[19 * n + state] = 200.0 * length_19_by_t;
-        delta_theta_rate[20 * n + state] = 200.0 * length_20_by_t;
-        delta_theta_rate[21 * n + state] = 200.0 * length_21_by_t;
-        delta_theta_rate[22 * n + state] = 200.0 * length_22_by_t;
-        delta_theta_rate[23 * n + state] = 200.0 * length_23_by_t;
-        delta_theta_rate[24 * n + state] = 200.0 * length_24_by_t;
-        delta_theta_rate[25 * n + state] = 200.0 * length_25_by_t;
-        delta_theta_rate[26 * n + state] = 200.0 * length_26_by_t;
-        delta_theta_rate[27 * n + state] = 200.0 * length_27_by_t;
-        delta_theta_rate[28 * n + state] = 200.0 * length_28_by_t;
-        delta_theta_rate[29 * n + state] = 200.0 * length_29_by_t;
-        delta_theta_rate[30 * n + state] = 200.0 * length_30_by_t;
-        delta_theta_rate[31 * n + state] = 200.0 * length_31_by_t;
-        delta_theta_rate[32 * n + state] = 200.0 * length_32_by_t;
-        delta_theta_rate[33 * n + state] = 200.0 * length_33_by_t;
-        delta_theta_rate[34 * n + state] = 200.0 * length_34_by_t;
-        delta_theta_rate[35 * n + state] = 200.0 * length_35_by_t;
-        delta_theta_rate[36 * n + state] = 200.0 * length_36_by_t;
-        delta_theta_rate[37 * n + state] = 200.0 * length_37_by_t;
+        delta_theta_rate[1 * n + state] = 200.0 * (half_square_by_2 / length_1);
+        delta_theta_rate[2 * n + state] = 200.0 * (half_square_by_4 / length_2);
+        delta_theta_rate[3 * n + state] = 200.0 * (half_square_by_6 / length_3);
+        delta_theta_rate[4 * n + state] = 200.0 * (half_square_by_8 / length_4);
+        delta_theta_rate[5 * n + state] = 200.0 * (half_square_by_10 / length_5);
+        delta_theta_rate[6 * n + state] = 200.0 * (half_square_by_12 / length_6);
+        delta_theta_rate[7 * n + state] = 200.0 * (half_square_by_14 / length_7);
+        delta_theta_rate[8 * n + state] = 200.0 * (half_square_by_16 / length_8);
+        delta_theta_rate[9 * n + state] = 200.0 * (half_square_by_18 / length_9);
+        delta_theta_rate[10 * n + state] = 200.0 * (half_square_by_20 / length_10);
+        delta_theta_rate[11 * n + state] = 200.0 * (half_square_by_22 / length_11);
+        delta_theta_rate[12 * n + state] = 200.0 * (half_square_by_24 / length_12);
+        delta_theta_rate[13 * n + state] = 200.0 * (half_square_by_26 / length_13);
+        delta_theta_rate[14 * n + state] = 200.0 * (half_square_by_28 / length_14);
+        delta_theta_rate[15 * n + state] = 200.0 * (half_square_by_30 / length_15);
+        delta_theta_rate[16 * n + state] = 200.0 * (half_square_by_32 / length_16);
+        delta_theta_rate[17 * n + state] = 200.0 * (half_square_by_34 / length_17);
+        delta_theta_rate[18 * n + state] = 200.0 * (half_square_by_36 / length_18);
+        delta_theta_rate[19 * n + state] = 200.0 * (half_square_by_38 / length_19);
+        delta_theta_rate[20 * n + state] = 200.0 * (half_square_by_40 / length_20);
+        delta_theta_rate[21 * n + state] = 200.0 * (half_square_by_42 / length_21);
+        delta_theta_rate[22 * n + state] = 200.0 * (half_square_by_44 / length_22);
+        delta_theta_rate[23 * n + state] = 200.0 * (half_square_by_46 / length_23);
+        delta_theta_rate[24 * n + state] = 200.0 * (half_square_by_48 / length_24);
+        delta_theta_rate[25 * n + state] = 200.0 * (half_square_by_50 / length_25);
+        delta_theta_rate[26 * n + state] = 200.0 * (half_square_by_52 / length_26);
+        delta_theta_rate[27 * n + state] = 200.0 * (half_square_by_54 / length_27);
+        delta_theta_rate[28 * n + state] = 200.0 * (half_square_by_56 / length_28);
+        delta_theta_rate[29 * n + state] = 200.0 * (half_square_by_58 / length_29);
+        delta_theta_rate[30 * n + state] = 200.0 * (half_square_by_60 / length_30);
+        delta_theta_rate[31 * n + state] = 200.0 * (half_square_by_62 / length_31);
+        delta_theta_rate[32 * n + state] = 200.0 * (half_square_by_64 / length_32);
+        delta_theta_rate[33 * n + state] = 200.0 * (half_square_by_66 / length_33);
+        delta_theta_rate[34 * n + state] = 200.0 * (half_square_by_68 / length_34);
+        delta_theta_rate[35 * n + state] = 200.0 * (half_square_by_70 / length_35);
+        delta_theta_rate[36 * n + state] = 200.0 * (half_square_by_72 / length_36);
+        delta_theta_rate[37 * n + state] = 200.0 * (half_square_by_74 / length_37);
     }
 }
 
@@ -4358,12 +3672,10 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
         double sin_q73, cos_q73;
         sinew_sincos(q_wrist[1 * n + state], &sin_q73, &cos_q73);
         const double B_y = 0.074565407529229 * cos_q73;
-        const double B_to_C0_squared = 0.007324 - 0.084 * B_y;
-        const double t1 = 1.0 / B_to_C0_squared;
+        const double t1 = 1.0 / (0.007324 - 0.084 * B_y);
         const double ratio = 0.003796 * t1;
         const double B_e = 0.074565407529229 * sin_q73;
-        const double B_to_C0_squared_by_q73 = 0.084 * B_e;
-        const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t1;
+        const double ratio_by_q73 = ratio * (0.084 * B_e) * t1;
         const double t2 = 21.0 - 500.0 * B_y;
         const double C_e = B_e * ratio;
         const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t2;
@@ -4420,8 +3732,7 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double t22 = -(t21 - t20);
         const double clearance_by_q73 = sinew_choose(t22, t19 * reach_by_q73 - t18 * limited_by_q73,
             1e-12 * reach_squared_by_q73);
-        const double clearance = sinew_max(t20, t21);
-        const double root = sinew_sqrt(clearance);
+        const double root = sinew_sqrt(sinew_max(t20, t21));
         const double t23 = 1.0 / root;
         const double root_by_q73 = 0.5 * clearance_by_q73 * t23;
         const double t24 = 1.0 / reach_squared;
@@ -4435,8 +3746,7 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
             * reach_squared_by_q73;
         const double sin_A_by_q73 = t26 * t24;
         const double z_x_by_q73 = cos_q71 * z_plane_x_by_q73 - sin_q71 * sin_A_by_q73;
-        const double M_x_by_q73 = cos_q71 * M_e_by_q73;
-        const double origin_x_by_q73 = M_x_by_q73 - 0.018 * z_x_by_q73;
+        const double origin_x_by_q73 = cos_q71 * M_e_by_q73 - 0.018 * z_x_by_q73;
         const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
         const double x_x_by_q73 = cos_q71 * x_plane_x_by_q73 + sin_q71 * cos_A_by_q73;
         const double t27 = origin_x_by_q73 - 0.004 * x_x_by_q73;
@@ -4445,8 +3755,7 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double layer_1_x_by_q73 = t27 - t28 - 0.013 * y_x_by_q73;
         const double y_x = cos_q71 * u_e;
         const double z_z_by_q73 = cos_q71 * sin_A_by_q73 + sin_q71 * z_plane_x_by_q73;
-        const double M_z_by_q73 = sin_q71 * M_e_by_q73;
-        const double origin_z_by_q73 = M_z_by_q73 - 0.018 * z_z_by_q73;
+        const double origin_z_by_q73 = sin_q71 * M_e_by_q73 - 0.018 * z_z_by_q73;
         const double x_z_by_q73 = cos_q71 * cos_A_by_q73 - sin_q71 * x_plane_x_by_q73;
         const double t29 = origin_z_by_q73 + 0.004 * x_z_by_q73;
         const double t30 = 0.01 * z_z_by_q73;
@@ -4461,8 +3770,7 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double x_plane_x = u_y * sin_A;
         const double t33 = cos_q71 * x_plane_x;
         const double t34 = sin_q71 * cos_A;
-        const double x_x = t33 + t34;
-        const double t35 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
+        const double t35 = 0.004 - M_x + 0.018 * z_x + 0.004 * (t33 + t34);
         const double t36 = 0.01 * z_x;
         const double t37 = 0.013 * y_x;
         const double layer_1_x = t35 + t36 + t37;
@@ -4473,8 +3781,7 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double origin_z = M_z - 0.018 * z_z;
         const double t40 = sin_q71 * x_plane_x;
         const double t41 = cos_q71 * cos_A;
-        const double x_z = t41 - t40;
-        const double t42 = 0.004 * x_z;
+        const double t42 = 0.004 * (t41 - t40);
         const double t43 = 0.01 * z_z;
         const double t44 = 0.013 * y_z;
         const double layer_1_z = 0.028 - origin_z - t42 + t43 + t44;
@@ -4482,28 +3789,24 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
             - layer_1_x * y_x_by_q73 - layer_1_z * y_z_by_q73;
         const double across_by_y_squared_by_q73 = y_x * y_x_by_q73 + y_z * y_z_by_q73;
         const double t45 = 0.029 * across_by_y_squared_by_q73;
-        const double across_slope_214 = across_by_y_2_by_q73 + t45;
         const double across_38_by_q73 = layer_1_x * layer_1_x_by_q73 + layer_1_z * layer_1_z_by_q73;
-        const double across_218 = across_38_by_q73 - 0.029 * across_slope_214;
-        const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
+        const double across_218 = across_38_by_q73 - 0.029 * (across_by_y_2_by_q73 + t45);
         const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-        const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-        const double t46 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
+        const double t46 = M_y_by_q73 - 0.018 * z_plane_y_by_q73 - 0.004 * (u_e * sin_A_by_q73
+            + sin_A * u_e_by_q73);
         const double t47 = 0.01 * z_plane_y_by_q73;
         const double t48 = 0.013 * u_y_by_q73;
         const double layer_1_y_by_q73 = t46 - t47 - t48;
         const double t49 = 0.029 * u_y_by_q73;
-        const double strand_y_by_70 = layer_1_y_by_q73 + t49;
         const double z_plane_y = u_e * cos_A;
         const double origin_y = M_y + 0.018 * z_plane_y;
-        const double x_plane_y = u_e * sin_A;
-        const double t50 = 0.004 * x_plane_y;
+        const double t50 = 0.004 * (u_e * sin_A);
         const double t51 = 0.01 * z_plane_y;
         const double t52 = 0.013 * u_y;
         const double layer_1_y = 0.006 - origin_y - t50 - t51 + t52;
         const double t53 = 0.029 * u_y;
         const double strand_y_37 = 0.029 + layer_1_y - t53;
-        const double half_square_by_150 = across_218 - strand_y_37 * strand_y_by_70;
+        const double half_square_by_150 = across_218 - strand_y_37 * (layer_1_y_by_q73 + t49);
         const double across_38 = 0.5 * (layer_1_x * layer_1_x + layer_1_z * layer_1_z);
         const double twice_across_6 = across_38 + across_38;
         const double across_by_y_2 = y_x * layer_1_x + y_z * layer_1_z;
@@ -4511,11 +3814,9 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double across_by_y_squared = 0.5 * (y_x * y_x + y_z * y_z);
         const double twice_across_4 = across_by_y_squared + across_by_y_squared;
         const double t54 = 0.029 * twice_across_4;
-        const double across_slope_70 = twice_across_8 - t54;
-        const double across_74 = twice_across_6 - 0.029 * across_slope_70;
+        const double across_74 = twice_across_6 - 0.029 * (twice_across_8 - t54);
         const double length_37 = sinew_sqrt(across_74 + strand_y_37 * strand_y_37);
         const double t55 = 1.0 / length_37;
-        const double length_37_by_q73 = half_square_by_150 * t55;
         const double p_y_by_q71 = u_y * p_z;
         const double reach_squared_by_q71 = sinew_choose(t10, -(t7 * p_y_by_q71 + (p_z + p_z)
             * p_z_by_q71), 0.0);
@@ -4534,16 +3835,14 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
             * p_y_by_q71;
         const double sin_A_by_q71 = (t57 - sin_A * reach_squared_by_q71) * t24;
         const double z_x_by_q71 = t39 - cos_q71 * z_plane_x_by_q71 + t38 + sin_q71 * sin_A_by_q71;
-        const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
         const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
         const double x_x_by_q71 = t41 + cos_q71 * x_plane_x_by_q71 - t40 + sin_q71 * cos_A_by_q71;
-        const double t58 = origin_x_by_q71 + 0.004 * x_x_by_q71;
+        const double t58 = M_z - 0.018 * z_x_by_q71 + 0.004 * x_x_by_q71;
         const double t59 = 0.01 * z_x_by_q71;
         const double layer_1_x_by_q71 = t58 - t59 - t44;
         const double z_z_by_q71 = t31 + cos_q71 * sin_A_by_q71 - t32 + sin_q71 * z_plane_x_by_q71;
-        const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
         const double x_z_by_q71 = t33 - cos_q71 * cos_A_by_q71 + t34 + sin_q71 * x_plane_x_by_q71;
-        const double t60 = origin_z_by_q71 - 0.004 * x_z_by_q71;
+        const double t60 = M_x - 0.018 * z_z_by_q71 - 0.004 * x_z_by_q71;
         const double t61 = 0.01 * z_z_by_q71;
         const double layer_1_z_by_q71 = t60 - t61 - t37;
         const double across_by_y_2_by_q71 = y_x * (layer_1_z + layer_1_x_by_q71) - y_z * (layer_1_x
@@ -4551,277 +3850,202 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double across_38_by_q71 = layer_1_x * layer_1_x_by_q71 - layer_1_z * layer_1_z_by_q71;
         const double across_146 = across_38_by_q71 - 0.029 * across_by_y_2_by_q71;
         const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-        const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-        const double t62 = origin_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
+        const double t62 = 0.018 * z_plane_y_by_q71 + 0.004 * u_e * sin_A_by_q71;
         const double t63 = 0.01 * z_plane_y_by_q71;
         const double layer_1_y_by_q71 = t62 + t63;
         const double half_square_by_74 = across_146 - strand_y_37 * layer_1_y_by_q71;
-        const double length_37_by_q71 = half_square_by_74 * t55;
         const double t64 = 0.027 * across_by_y_squared_by_q73;
-        const double across_slope_212 = across_by_y_2_by_q73 + t64;
-        const double across_216 = across_38_by_q73 - 0.027 * across_slope_212;
+        const double across_216 = across_38_by_q73 - 0.027 * (across_by_y_2_by_q73 + t64);
         const double t65 = 0.027 * u_y_by_q73;
-        const double strand_y_by_68 = layer_1_y_by_q73 + t65;
         const double t66 = 0.027 * u_y;
         const double strand_y_36 = 0.027 + layer_1_y - t66;
-        const double half_square_by_148 = across_216 - strand_y_36 * strand_y_by_68;
+        const double half_square_by_148 = across_216 - strand_y_36 * (layer_1_y_by_q73 + t65);
         const double t67 = 0.027 * twice_across_4;
-        const double across_slope_68 = twice_across_8 - t67;
-        const double across_72 = twice_across_6 - 0.027 * across_slope_68;
+        const double across_72 = twice_across_6 - 0.027 * (twice_across_8 - t67);
         const double length_36 = sinew_sqrt(across_72 + strand_y_36 * strand_y_36);
         const double t68 = 1.0 / length_36;
-        const double length_36_by_q73 = half_square_by_148 * t68;
         const double across_144 = across_38_by_q71 - 0.027 * across_by_y_2_by_q71;
         const double half_square_by_72 = across_144 - strand_y_36 * layer_1_y_by_q71;
-        const double length_36_by_q71 = half_square_by_72 * t68;
         const double across_slope_210 = across_by_y_2_by_q73 + 0.026 * across_by_y_squared_by_q73;
         const double across_214 = across_38_by_q73 - 0.026 * across_slope_210;
-        const double strand_y_by_66 = layer_1_y_by_q73 + 0.026 * u_y_by_q73;
         const double strand_y_35 = 0.025 + layer_1_y - 0.026 * u_y;
-        const double half_square_by_146 = across_214 - strand_y_35 * strand_y_by_66;
-        const double across_slope_66 = twice_across_8 - 0.026 * twice_across_4;
-        const double across_70 = twice_across_6 - 0.026 * across_slope_66;
+        const double half_square_by_146 = across_214 - strand_y_35 * (layer_1_y_by_q73 + 0.026
+            * u_y_by_q73);
+        const double across_70 = twice_across_6 - 0.026 * (twice_across_8 - 0.026 * twice_across_4);
         const double length_35 = sinew_sqrt(across_70 + strand_y_35 * strand_y_35);
         const double t69 = 1.0 / length_35;
-        const double length_35_by_q73 = half_square_by_146 * t69;
         const double across_142 = across_38_by_q71 - 0.026 * across_by_y_2_by_q71;
         const double half_square_by_70 = across_142 - strand_y_35 * layer_1_y_by_q71;
-        const double length_35_by_q71 = half_square_by_70 * t69;
         const double t70 = 0.024 * across_by_y_squared_by_q73;
-        const double across_slope_208 = across_by_y_2_by_q73 + t70;
-        const double across_212 = across_38_by_q73 - 0.024 * across_slope_208;
+        const double across_212 = across_38_by_q73 - 0.024 * (across_by_y_2_by_q73 + t70);
         const double t71 = 0.024 * u_y_by_q73;
-        const double strand_y_by_64 = layer_1_y_by_q73 + t71;
         const double t72 = 0.024 * u_y;
         const double strand_y_34 = 0.024 + layer_1_y - t72;
-        const double half_square_by_144 = across_212 - strand_y_34 * strand_y_by_64;
+        const double half_square_by_144 = across_212 - strand_y_34 * (layer_1_y_by_q73 + t71);
         const double t73 = 0.024 * twice_across_4;
-        const double across_slope_64 = twice_across_8 - t73;
-        const double across_68 = twice_across_6 - 0.024 * across_slope_64;
+        const double across_68 = twice_across_6 - 0.024 * (twice_across_8 - t73);
         const double length_34 = sinew_sqrt(across_68 + strand_y_34 * strand_y_34);
         const double t74 = 1.0 / length_34;
-        const double length_34_by_q73 = half_square_by_144 * t74;
         const double across_140 = across_38_by_q71 - 0.024 * across_by_y_2_by_q71;
         const double half_square_by_68 = across_140 - strand_y_34 * layer_1_y_by_q71;
-        const double length_34_by_q71 = half_square_by_68 * t74;
         const double across_slope_206 = across_by_y_2_by_q73 + 0.023 * across_by_y_squared_by_q73;
         const double across_210 = across_38_by_q73 - 0.023 * across_slope_206;
-        const double strand_y_by_62 = layer_1_y_by_q73 + 0.023 * u_y_by_q73;
         const double strand_y_33 = 0.022 + layer_1_y - 0.023 * u_y;
-        const double half_square_by_142 = across_210 - strand_y_33 * strand_y_by_62;
-        const double across_slope_62 = twice_across_8 - 0.023 * twice_across_4;
-        const double across_66 = twice_across_6 - 0.023 * across_slope_62;
+        const double half_square_by_142 = across_210 - strand_y_33 * (layer_1_y_by_q73 + 0.023
+            * u_y_by_q73);
+        const double across_66 = twice_across_6 - 0.023 * (twice_across_8 - 0.023 * twice_across_4);
         const double length_33 = sinew_sqrt(across_66 + strand_y_33 * strand_y_33);
         const double t75 = 1.0 / length_33;
-        const double length_33_by_q73 = half_square_by_142 * t75;
         const double across_138 = across_38_by_q71 - 0.023 * across_by_y_2_by_q71;
         const double half_square_by_66 = across_138 - strand_y_33 * layer_1_y_by_q71;
-        const double length_33_by_q71 = half_square_by_66 * t75;
         const double t76 = 0.021 * across_by_y_squared_by_q73;
-        const double across_slope_204 = across_by_y_2_by_q73 + t76;
-        const double across_208 = across_38_by_q73 - 0.021 * across_slope_204;
+        const double across_208 = across_38_by_q73 - 0.021 * (across_by_y_2_by_q73 + t76);
         const double t77 = 0.021 * u_y_by_q73;
-        const double strand_y_by_60 = layer_1_y_by_q73 + t77;
         const double t78 = 0.021 * u_y;
         const double strand_y_32 = 0.021 + layer_1_y - t78;
-        const double half_square_by_140 = across_208 - strand_y_32 * strand_y_by_60;
+        const double half_square_by_140 = across_208 - strand_y_32 * (layer_1_y_by_q73 + t77);
         const double t79 = 0.021 * twice_across_4;
-        const double across_slope_60 = twice_across_8 - t79;
-        const double across_64 = twice_across_6 - 0.021 * across_slope_60;
+        const double across_64 = twice_across_6 - 0.021 * (twice_across_8 - t79);
         const double length_32 = sinew_sqrt(across_64 + strand_y_32 * strand_y_32);
         const double t80 = 1.0 / length_32;
-        const double length_32_by_q73 = half_square_by_140 * t80;
         const double across_136 = across_38_by_q71 - 0.021 * across_by_y_2_by_q71;
         const double half_square_by_64 = across_136 - strand_y_32 * layer_1_y_by_q71;
-        const double length_32_by_q71 = half_square_by_64 * t80;
         const double t81 = 0.019 * across_by_y_squared_by_q73;
-        const double across_slope_202 = across_by_y_2_by_q73 + t81;
-        const double across_206 = across_38_by_q73 - 0.019 * across_slope_202;
+        const double across_206 = across_38_by_q73 - 0.019 * (across_by_y_2_by_q73 + t81);
         const double t82 = 0.019 * u_y_by_q73;
-        const double strand_y_by_58 = layer_1_y_by_q73 + t82;
         const double t83 = 0.019 * u_y;
         const double strand_y_31 = 0.019 + layer_1_y - t83;
-        const double half_square_by_138 = across_206 - strand_y_31 * strand_y_by_58;
+        const double half_square_by_138 = across_206 - strand_y_31 * (layer_1_y_by_q73 + t82);
         const double t84 = 0.019 * twice_across_4;
-        const double across_slope_58 = twice_across_8 - t84;
-        const double across_62 = twice_across_6 - 0.019 * across_slope_58;
+        const double across_62 = twice_across_6 - 0.019 * (twice_across_8 - t84);
         const double length_31 = sinew_sqrt(across_62 + strand_y_31 * strand_y_31);
         const double t85 = 1.0 / length_31;
-        const double length_31_by_q73 = half_square_by_138 * t85;
         const double across_134 = across_38_by_q71 - 0.019 * across_by_y_2_by_q71;
         const double half_square_by_62 = across_134 - strand_y_31 * layer_1_y_by_q71;
-        const double length_31_by_q71 = half_square_by_62 * t85;
         const double across_slope_200 = across_by_y_2_by_q73 + 0.018 * across_by_y_squared_by_q73;
         const double across_204 = across_38_by_q73 - 0.018 * across_slope_200;
-        const double strand_y_by_56 = layer_1_y_by_q73 + 0.018 * u_y_by_q73;
         const double strand_y_30 = 0.017 + layer_1_y - 0.018 * u_y;
-        const double half_square_by_136 = across_204 - strand_y_30 * strand_y_by_56;
-        const double across_slope_56 = twice_across_8 - 0.018 * twice_across_4;
-        const double across_60 = twice_across_6 - 0.018 * across_slope_56;
+        const double half_square_by_136 = across_204 - strand_y_30 * (layer_1_y_by_q73 + 0.018
+            * u_y_by_q73);
+        const double across_60 = twice_across_6 - 0.018 * (twice_across_8 - 0.018 * twice_across_4);
         const double length_30 = sinew_sqrt(across_60 + strand_y_30 * strand_y_30);
         const double t86 = 1.0 / length_30;
-        const double length_30_by_q73 = half_square_by_136 * t86;
         const double across_132 = across_38_by_q71 - 0.018 * across_by_y_2_by_q71;
         const double half_square_by_60 = across_132 - strand_y_30 * layer_1_y_by_q71;
-        const double length_30_by_q71 = half_square_by_60 * t86;
         const double t87 = 0.016 * across_by_y_squared_by_q73;
-        const double across_slope_198 = across_by_y_2_by_q73 + t87;
-        const double across_202 = across_38_by_q73 - 0.016 * across_slope_198;
+        const double across_202 = across_38_by_q73 - 0.016 * (across_by_y_2_by_q73 + t87);
         const double t88 = 0.016 * u_y_by_q73;
-        const double strand_y_by_54 = layer_1_y_by_q73 + t88;
         const double t89 = 0.016 * u_y;
         const double strand_y_29 = 0.016 + layer_1_y - t89;
-        const double half_square_by_134 = across_202 - strand_y_29 * strand_y_by_54;
+        const double half_square_by_134 = across_202 - strand_y_29 * (layer_1_y_by_q73 + t88);
         const double t90 = 0.016 * twice_across_4;
-        const double across_slope_54 = twice_across_8 - t90;
-        const double across_58 = twice_across_6 - 0.016 * across_slope_54;
+        const double across_58 = twice_across_6 - 0.016 * (twice_across_8 - t90);
         const double length_29 = sinew_sqrt(across_58 + strand_y_29 * strand_y_29);
         const double t91 = 1.0 / length_29;
-        const double length_29_by_q73 = half_square_by_134 * t91;
         const double across_130 = across_38_by_q71 - 0.016 * across_by_y_2_by_q71;
         const double half_square_by_58 = across_130 - strand_y_29 * layer_1_y_by_q71;
-        const double length_29_by_q71 = half_square_by_58 * t91;
         const double across_slope_196 = across_by_y_2_by_q73 + 0.015 * across_by_y_squared_by_q73;
         const double across_200 = across_38_by_q73 - 0.015 * across_slope_196;
-        const double strand_y_by_52 = layer_1_y_by_q73 + 0.015 * u_y_by_q73;
         const double strand_y_28 = 0.014 + layer_1_y - 0.015 * u_y;
-        const double half_square_by_132 = across_200 - strand_y_28 * strand_y_by_52;
-        const double across_slope_52 = twice_across_8 - 0.015 * twice_across_4;
-        const double across_56 = twice_across_6 - 0.015 * across_slope_52;
+        const double half_square_by_132 = across_200 - strand_y_28 * (layer_1_y_by_q73 + 0.015
+            * u_y_by_q73);
+        const double across_56 = twice_across_6 - 0.015 * (twice_across_8 - 0.015 * twice_across_4);
         const double length_28 = sinew_sqrt(across_56 + strand_y_28 * strand_y_28);
         const double t92 = 1.0 / length_28;
-        const double length_28_by_q73 = half_square_by_132 * t92;
         const double across_128 = across_38_by_q71 - 0.015 * across_by_y_2_by_q71;
         const double half_square_by_56 = across_128 - strand_y_28 * layer_1_y_by_q71;
-        const double length_28_by_q71 = half_square_by_56 * t92;
         const double t93 = 0.013 * across_by_y_squared_by_q73;
-        const double across_slope_194 = across_by_y_2_by_q73 + t93;
-        const double across_198 = across_38_by_q73 - 0.013 * across_slope_194;
-        const double strand_y_by_50 = layer_1_y_by_q73 + t48;
+        const double across_198 = across_38_by_q73 - 0.013 * (across_by_y_2_by_q73 + t93);
         const double strand_y_27 = 0.013 + layer_1_y - t52;
-        const double half_square_by_130 = across_198 - strand_y_27 * strand_y_by_50;
+        const double half_square_by_130 = across_198 - strand_y_27 * (layer_1_y_by_q73 + t48);
         const double t94 = 0.013 * twice_across_4;
-        const double across_slope_50 = twice_across_8 - t94;
-        const double across_54 = twice_across_6 - 0.013 * across_slope_50;
+        const double across_54 = twice_across_6 - 0.013 * (twice_across_8 - t94);
         const double length_27 = sinew_sqrt(across_54 + strand_y_27 * strand_y_27);
         const double t95 = 1.0 / length_27;
-        const double length_27_by_q73 = half_square_by_130 * t95;
         const double across_126 = across_38_by_q71 - 0.013 * across_by_y_2_by_q71;
         const double half_square_by_54 = across_126 - strand_y_27 * layer_1_y_by_q71;
-        const double length_27_by_q71 = half_square_by_54 * t95;
         const double t96 = 0.011 * across_by_y_squared_by_q73;
-        const double across_slope_192 = across_by_y_2_by_q73 + t96;
-        const double across_196 = across_38_by_q73 - 0.011 * across_slope_192;
+        const double across_196 = across_38_by_q73 - 0.011 * (across_by_y_2_by_q73 + t96);
         const double t97 = 0.011 * u_y_by_q73;
-        const double strand_y_by_48 = layer_1_y_by_q73 + t97;
         const double t98 = 0.011 * u_y;
         const double strand_y_26 = 0.011 + layer_1_y - t98;
-        const double half_square_by_128 = across_196 - strand_y_26 * strand_y_by_48;
+        const double half_square_by_128 = across_196 - strand_y_26 * (layer_1_y_by_q73 + t97);
         const double t99 = 0.011 * twice_across_4;
-        const double across_slope_48 = twice_across_8 - t99;
-        const double across_52 = twice_across_6 - 0.011 * across_slope_48;
+        const double across_52 = twice_across_6 - 0.011 * (twice_across_8 - t99);
         const double length_26 = sinew_sqrt(across_52 + strand_y_26 * strand_y_26);
         const double t100 = 1.0 / length_26;
-        const double length_26_by_q73 = half_square_by_128 * t100;
         const double across_124 = across_38_by_q71 - 0.011 * across_by_y_2_by_q71;
         const double half_square_by_52 = across_124 - strand_y_26 * layer_1_y_by_q71;
-        const double length_26_by_q71 = half_square_by_52 * t100;
         const double across_slope_190 = across_by_y_2_by_q73 + 0.01 * across_by_y_squared_by_q73;
         const double across_194 = across_38_by_q73 - 0.01 * across_slope_190;
-        const double strand_y_by_46 = layer_1_y_by_q73 + 0.01 * u_y_by_q73;
         const double strand_y_25 = 0.009 + layer_1_y - 0.01 * u_y;
-        const double half_square_by_126 = across_194 - strand_y_25 * strand_y_by_46;
-        const double across_slope_46 = twice_across_8 - 0.01 * twice_across_4;
-        const double across_50 = twice_across_6 - 0.01 * across_slope_46;
+        const double half_square_by_126 = across_194 - strand_y_25 * (layer_1_y_by_q73 + 0.01
+            * u_y_by_q73);
+        const double across_50 = twice_across_6 - 0.01 * (twice_across_8 - 0.01 * twice_across_4);
         const double length_25 = sinew_sqrt(across_50 + strand_y_25 * strand_y_25);
         const double t101 = 1.0 / length_25;
-        const double length_25_by_q73 = half_square_by_126 * t101;
         const double across_122 = across_38_by_q71 - 0.01 * across_by_y_2_by_q71;
         const double half_square_by_50 = across_122 - strand_y_25 * layer_1_y_by_q71;
-        const double length_25_by_q71 = half_square_by_50 * t101;
         const double t102 = 0.008 * across_by_y_squared_by_q73;
-        const double across_slope_188 = across_by_y_2_by_q73 + t102;
-        const double across_192 = across_38_by_q73 - 0.008 * across_slope_188;
+        const double across_192 = across_38_by_q73 - 0.008 * (across_by_y_2_by_q73 + t102);
         const double t103 = 0.008 * u_y_by_q73;
-        const double strand_y_by_44 = layer_1_y_by_q73 + t103;
         const double t104 = 0.008 * u_y;
         const double strand_y_24 = 0.008 + layer_1_y - t104;
-        const double half_square_by_124 = across_192 - strand_y_24 * strand_y_by_44;
+        const double half_square_by_124 = across_192 - strand_y_24 * (layer_1_y_by_q73 + t103);
         const double t105 = 0.008 * twice_across_4;
-        const double across_slope_44 = twice_across_8 - t105;
-        const double across_48 = twice_across_6 - 0.008 * across_slope_44;
+        const double across_48 = twice_across_6 - 0.008 * (twice_across_8 - t105);
         const double length_24 = sinew_sqrt(across_48 + strand_y_24 * strand_y_24);
         const double t106 = 1.0 / length_24;
-        const double length_24_by_q73 = half_square_by_124 * t106;
         const double across_120 = across_38_by_q71 - 0.008 * across_by_y_2_by_q71;
         const double half_square_by_48 = across_120 - strand_y_24 * layer_1_y_by_q71;
-        const double length_24_by_q71 = half_square_by_48 * t106;
         const double across_slope_186 = across_by_y_2_by_q73 + 0.007 * across_by_y_squared_by_q73;
         const double across_190 = across_38_by_q73 - 0.007 * across_slope_186;
-        const double strand_y_by_42 = layer_1_y_by_q73 + 0.007 * u_y_by_q73;
         const double strand_y_23 = 0.006 + layer_1_y - 0.007 * u_y;
-        const double half_square_by_122 = across_190 - strand_y_23 * strand_y_by_42;
-        const double across_slope_42 = twice_across_8 - 0.007 * twice_across_4;
-        const double across_46 = twice_across_6 - 0.007 * across_slope_42;
+        const double half_square_by_122 = across_190 - strand_y_23 * (layer_1_y_by_q73 + 0.007
+            * u_y_by_q73);
+        const double across_46 = twice_across_6 - 0.007 * (twice_across_8 - 0.007 * twice_across_4);
         const double length_23 = sinew_sqrt(across_46 + strand_y_23 * strand_y_23);
         const double t107 = 1.0 / length_23;
-        const double length_23_by_q73 = half_square_by_122 * t107;
         const double across_118 = across_38_by_q71 - 0.007 * across_by_y_2_by_q71;
         const double half_square_by_46 = across_118 - strand_y_23 * layer_1_y_by_q71;
-        const double length_23_by_q71 = half_square_by_46 * t107;
         const double t108 = 0.005 * across_by_y_squared_by_q73;
-        const double across_slope_184 = across_by_y_2_by_q73 + t108;
-        const double across_188 = across_38_by_q73 - 0.005 * across_slope_184;
+        const double across_188 = across_38_by_q73 - 0.005 * (across_by_y_2_by_q73 + t108);
         const double t109 = 0.005 * u_y_by_q73;
-        const double strand_y_by_40 = layer_1_y_by_q73 + t109;
         const double t110 = 0.005 * u_y;
         const double strand_y_22 = 0.005 + layer_1_y - t110;
-        const double half_square_by_120 = across_188 - strand_y_22 * strand_y_by_40;
+        const double half_square_by_120 = across_188 - strand_y_22 * (layer_1_y_by_q73 + t109);
         const double t111 = 0.005 * twice_across_4;
-        const double across_slope_40 = twice_across_8 - t111;
-        const double across_44 = twice_across_6 - 0.005 * across_slope_40;
+        const double across_44 = twice_across_6 - 0.005 * (twice_across_8 - t111);
         const double length_22 = sinew_sqrt(across_44 + strand_y_22 * strand_y_22);
         const double t112 = 1.0 / length_22;
-        const double length_22_by_q73 = half_square_by_120 * t112;
         const double across_116 = across_38_by_q71 - 0.005 * across_by_y_2_by_q71;
         const double half_square_by_44 = across_116 - strand_y_22 * layer_1_y_by_q71;
-        const double length_22_by_q71 = half_square_by_44 * t112;
         const double t113 = 0.003 * across_by_y_squared_by_q73;
-        const double across_slope_182 = across_by_y_2_by_q73 + t113;
-        const double across_186 = across_38_by_q73 - 0.003 * across_slope_182;
+        const double across_186 = across_38_by_q73 - 0.003 * (across_by_y_2_by_q73 + t113);
         const double t114 = 0.003 * u_y_by_q73;
-        const double strand_y_by_38 = layer_1_y_by_q73 + t114;
         const double t115 = 0.003 * u_y;
         const double strand_y_21 = 0.003 + layer_1_y - t115;
-        const double half_square_by_118 = across_186 - strand_y_21 * strand_y_by_38;
+        const double half_square_by_118 = across_186 - strand_y_21 * (layer_1_y_by_q73 + t114);
         const double t116 = 0.003 * twice_across_4;
-        const double across_slope_38 = twice_across_8 - t116;
-        const double across_42 = twice_across_6 - 0.003 * across_slope_38;
+        const double across_42 = twice_across_6 - 0.003 * (twice_across_8 - t116);
         const double length_21 = sinew_sqrt(across_42 + strand_y_21 * strand_y_21);
         const double t117 = 1.0 / length_21;
-        const double length_21_by_q73 = half_square_by_118 * t117;
         const double across_114 = across_38_by_q71 - 0.003 * across_by_y_2_by_q71;
         const double half_square_by_42 = across_114 - strand_y_21 * layer_1_y_by_q71;
-        const double length_21_by_q71 = half_square_by_42 * t117;
         const double across_slope_180 = across_by_y_2_by_q73 + 0.002 * across_by_y_squared_by_q73;
         const double across_184 = across_38_by_q73 - 0.002 * across_slope_180;
-        const double strand_y_by_36 = layer_1_y_by_q73 + 0.002 * u_y_by_q73;
         const double strand_y_20 = 0.001 + layer_1_y - 0.002 * u_y;
-        const double half_square_by_116 = across_184 - strand_y_20 * strand_y_by_36;
-        const double across_slope_36 = twice_across_8 - 0.002 * twice_across_4;
-        const double across_40 = twice_across_6 - 0.002 * across_slope_36;
+        const double half_square_by_116 = across_184 - strand_y_20 * (layer_1_y_by_q73 + 0.002
+            * u_y_by_q73);
+        const double across_40 = twice_across_6 - 0.002 * (twice_across_8 - 0.002 * twice_across_4);
         const double length_20 = sinew_sqrt(across_40 + strand_y_20 * strand_y_20);
         const double t118 = 1.0 / length_20;
-        const double length_20_by_q73 = half_square_by_116 * t118;
         const double across_112 = across_38_by_q71 - 0.002 * across_by_y_2_by_q71;
         const double half_square_by_40 = across_112 - strand_y_20 * layer_1_y_by_q71;
-        const double length_20_by_q71 = half_square_by_40 * t118;
         const double half_square_by_114 = across_38_by_q73 - layer_1_y * layer_1_y_by_q73;
         const double length_19 = sinew_sqrt(twice_across_6 + layer_1_y * layer_1_y);
         const double t119 = 1.0 / length_19;
-        const double length_19_by_q73 = half_square_by_114 * t119;
         const double half_square_by_38 = across_38_by_q71 - layer_1_y * layer_1_y_by_q71;
-        const double length_19_by_q71 = half_square_by_38 * t119;
         const double layer_0_x_by_q73 = t27 + t28 - 0.011 * y_x_by_q73;
         const double layer_0_z_by_q73 = t29 + t30 - 0.011 * y_z_by_q73;
         const double t120 = 0.011 * y_x;
@@ -4830,23 +4054,19 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double layer_0_z = 0.008 - origin_z - t42 - t43 + t121;
         const double across_by_y_by_q73 = y_x * layer_0_x_by_q73 + y_z * layer_0_z_by_q73
             - layer_0_x * y_x_by_q73 - layer_0_z * y_z_by_q73;
-        const double across_slope_178 = across_by_y_by_q73 + t45;
         const double across_by_q73 = layer_0_x * layer_0_x_by_q73 + layer_0_z * layer_0_z_by_q73;
-        const double across_182 = across_by_q73 - 0.029 * across_slope_178;
+        const double across_182 = across_by_q73 - 0.029 * (across_by_y_by_q73 + t45);
         const double layer_0_y_by_q73 = t46 + t47 - t97;
-        const double strand_y_by_34 = layer_0_y_by_q73 + t49;
         const double layer_0_y = 0.007 - origin_y - t50 + t51 + t98;
         const double strand_y_18 = 0.028 + layer_0_y - t53;
-        const double half_square_by_112 = across_182 - strand_y_18 * strand_y_by_34;
+        const double half_square_by_112 = across_182 - strand_y_18 * (layer_0_y_by_q73 + t49);
         const double across = 0.5 * (layer_0_x * layer_0_x + layer_0_z * layer_0_z);
         const double twice_across = across + across;
         const double across_by_y = y_x * layer_0_x + y_z * layer_0_z;
         const double twice_across_2 = across_by_y + across_by_y;
-        const double across_slope_34 = twice_across_2 - t54;
-        const double across_36 = twice_across - 0.029 * across_slope_34;
+        const double across_36 = twice_across - 0.029 * (twice_across_2 - t54);
         const double length_18 = sinew_sqrt(across_36 + strand_y_18 * strand_y_18);
         const double t122 = 1.0 / length_18;
-        const double length_18_by_q73 = half_square_by_112 * t122;
         const double layer_0_x_by_q71 = t58 + t59 - t121;
         const double layer_0_z_by_q71 = t60 + t61 - t120;
         const double across_by_y_by_q71 = y_x * (layer_0_z + layer_0_x_by_q71) - y_z * (layer_0_x
@@ -4855,234 +4075,153 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double across_110 = across_by_q71 - 0.029 * across_by_y_by_q71;
         const double layer_0_y_by_q71 = t62 - t63;
         const double half_square_by_36 = across_110 - strand_y_18 * layer_0_y_by_q71;
-        const double length_18_by_q71 = half_square_by_36 * t122;
-        const double across_slope_176 = across_by_y_by_q73 + t64;
-        const double across_180 = across_by_q73 - 0.027 * across_slope_176;
-        const double strand_y_by_32 = layer_0_y_by_q73 + t65;
+        const double across_180 = across_by_q73 - 0.027 * (across_by_y_by_q73 + t64);
         const double strand_y_17 = 0.027 + layer_0_y - t66;
-        const double half_square_by_110 = across_180 - strand_y_17 * strand_y_by_32;
-        const double across_slope_32 = twice_across_2 - t67;
-        const double across_34 = twice_across - 0.027 * across_slope_32;
+        const double half_square_by_110 = across_180 - strand_y_17 * (layer_0_y_by_q73 + t65);
+        const double across_34 = twice_across - 0.027 * (twice_across_2 - t67);
         const double length_17 = sinew_sqrt(across_34 + strand_y_17 * strand_y_17);
         const double t123 = 1.0 / length_17;
-        const double length_17_by_q73 = half_square_by_110 * t123;
         const double across_108 = across_by_q71 - 0.027 * across_by_y_by_q71;
         const double half_square_by_34 = across_108 - strand_y_17 * layer_0_y_by_q71;
-        const double length_17_by_q71 = half_square_by_34 * t123;
         const double across_slope_174 = across_by_y_by_q73 + 0.025 * across_by_y_squared_by_q73;
-        const double across_178 = across_by_q73 - 0.025 * across_slope_174;
-        const double strand_y_by_30 = layer_0_y_by_q73 + 0.025 * u_y_by_q73;
         const double strand_y_16 = 0.025 + layer_0_y - 0.025 * u_y;
-        const double half_square_by_108 = across_178 - strand_y_16 * strand_y_by_30;
-        const double across_slope_30 = twice_across_2 - 0.025 * twice_across_4;
-        const double across_32 = twice_across - 0.025 * across_slope_30;
+        const double half_square_by_108 = across_by_q73 - 0.025 * across_slope_174 - strand_y_16
+            * (layer_0_y_by_q73 + 0.025 * u_y_by_q73);
+        const double across_32 = twice_across - 0.025 * (twice_across_2 - 0.025 * twice_across_4);
         const double length_16 = sinew_sqrt(across_32 + strand_y_16 * strand_y_16);
         const double t124 = 1.0 / length_16;
-        const double length_16_by_q73 = half_square_by_108 * t124;
         const double across_106 = across_by_q71 - 0.025 * across_by_y_by_q71;
         const double half_square_by_32 = across_106 - strand_y_16 * layer_0_y_by_q71;
-        const double length_16_by_q71 = half_square_by_32 * t124;
-        const double across_slope_172 = across_by_y_by_q73 + t70;
-        const double across_176 = across_by_q73 - 0.024 * across_slope_172;
-        const double strand_y_by_28 = layer_0_y_by_q73 + t71;
+        const double across_176 = across_by_q73 - 0.024 * (across_by_y_by_q73 + t70);
         const double strand_y_15 = 0.024 + layer_0_y - t72;
-        const double half_square_by_106 = across_176 - strand_y_15 * strand_y_by_28;
-        const double across_slope_28 = twice_across_2 - t73;
-        const double across_30 = twice_across - 0.024 * across_slope_28;
+        const double half_square_by_106 = across_176 - strand_y_15 * (layer_0_y_by_q73 + t71);
+        const double across_30 = twice_across - 0.024 * (twice_across_2 - t73);
         const double length_15 = sinew_sqrt(across_30 + strand_y_15 * strand_y_15);
         const double t125 = 1.0 / length_15;
-        const double length_15_by_q73 = half_square_by_106 * t125;
         const double across_104 = across_by_q71 - 0.024 * across_by_y_by_q71;
         const double half_square_by_30 = across_104 - strand_y_15 * layer_0_y_by_q71;
-        const double length_15_by_q71 = half_square_by_30 * t125;
         const double across_slope_170 = across_by_y_by_q73 + 0.022 * across_by_y_squared_by_q73;
-        const double across_174 = across_by_q73 - 0.022 * across_slope_170;
-        const double strand_y_by_26 = layer_0_y_by_q73 + 0.022 * u_y_by_q73;
         const double strand_y_14 = 0.022 + layer_0_y - 0.022 * u_y;
-        const double half_square_by_104 = across_174 - strand_y_14 * strand_y_by_26;
-        const double across_slope_26 = twice_across_2 - 0.022 * twice_across_4;
-        const double across_28 = twice_across - 0.022 * across_slope_26;
+        const double half_square_by_104 = across_by_q73 - 0.022 * across_slope_170 - strand_y_14
+            * (layer_0_y_by_q73 + 0.022 * u_y_by_q73);
+        const double across_28 = twice_across - 0.022 * (twice_across_2 - 0.022 * twice_across_4);
         const double length_14 = sinew_sqrt(across_28 + strand_y_14 * strand_y_14);
         const double t126 = 1.0 / length_14;
-        const double length_14_by_q73 = half_square_by_104 * t126;
         const double across_102 = across_by_q71 - 0.022 * across_by_y_by_q71;
         const double half_square_by_28 = across_102 - strand_y_14 * layer_0_y_by_q71;
-        const double length_14_by_q71 = half_square_by_28 * t126;
-        const double across_slope_168 = across_by_y_by_q73 + t76;
-        const double across_172 = across_by_q73 - 0.021 * across_slope_168;
-        const double strand_y_by_24 = layer_0_y_by_q73 + t77;
+        const double across_172 = across_by_q73 - 0.021 * (across_by_y_by_q73 + t76);
         const double strand_y_13 = 0.02 + layer_0_y - t78;
-        const double half_square_by_102 = across_172 - strand_y_13 * strand_y_by_24;
-        const double across_slope_24 = twice_across_2 - t79;
-        const double across_26 = twice_across - 0.021 * across_slope_24;
+        const double half_square_by_102 = across_172 - strand_y_13 * (layer_0_y_by_q73 + t77);
+        const double across_26 = twice_across - 0.021 * (twice_across_2 - t79);
         const double length_13 = sinew_sqrt(across_26 + strand_y_13 * strand_y_13);
         const double t127 = 1.0 / length_13;
-        const double length_13_by_q73 = half_square_by_102 * t127;
         const double across_100 = across_by_q71 - 0.021 * across_by_y_by_q71;
         const double half_square_by_26 = across_100 - strand_y_13 * layer_0_y_by_q71;
-        const double length_13_by_q71 = half_square_by_26 * t127;
-        const double across_slope_166 = across_by_y_by_q73 + t81;
-        const double across_170 = across_by_q73 - 0.019 * across_slope_166;
-        const double strand_y_by_22 = layer_0_y_by_q73 + t82;
+        const double across_170 = across_by_q73 - 0.019 * (across_by_y_by_q73 + t81);
         const double strand_y_12 = 0.019 + layer_0_y - t83;
-        const double half_square_by_100 = across_170 - strand_y_12 * strand_y_by_22;
-        const double across_slope_22 = twice_across_2 - t84;
-        const double across_24 = twice_across - 0.019 * across_slope_22;
+        const double half_square_by_100 = across_170 - strand_y_12 * (layer_0_y_by_q73 + t82);
+        const double across_24 = twice_across - 0.019 * (twice_across_2 - t84);
         const double length_12 = sinew_sqrt(across_24 + strand_y_12 * strand_y_12);
         const double t128 = 1.0 / length_12;
-        const double length_12_by_q73 = half_square_by_100 * t128;
         const double across_98 = across_by_q71 - 0.019 * across_by_y_by_q71;
         const double half_square_by_24 = across_98 - strand_y_12 * layer_0_y_by_q71;
-        const double length_12_by_q71 = half_square_by_24 * t128;
         const double across_slope_164 = across_by_y_by_q73 + 0.017 * across_by_y_squared_by_q73;
-        const double across_168 = across_by_q73 - 0.017 * across_slope_164;
-        const double strand_y_by_20 = layer_0_y_by_q73 + 0.017 * u_y_by_q73;
         const double strand_y_11 = 0.017 + layer_0_y - 0.017 * u_y;
-        const double half_square_by_98 = across_168 - strand_y_11 * strand_y_by_20;
-        const double across_slope_20 = twice_across_2 - 0.017 * twice_across_4;
-        const double across_22 = twice_across - 0.017 * across_slope_20;
+        const double half_square_by_98 = across_by_q73 - 0.017 * across_slope_164 - strand_y_11
+            * (layer_0_y_by_q73 + 0.017 * u_y_by_q73);
+        const double across_22 = twice_across - 0.017 * (twice_across_2 - 0.017 * twice_across_4);
         const double length_11 = sinew_sqrt(across_22 + strand_y_11 * strand_y_11);
         const double t129 = 1.0 / length_11;
-        const double length_11_by_q73 = half_square_by_98 * t129;
         const double across_96 = across_by_q71 - 0.017 * across_by_y_by_q71;
         const double half_square_by_22 = across_96 - strand_y_11 * layer_0_y_by_q71;
-        const double length_11_by_q71 = half_square_by_22 * t129;
-        const double across_slope_162 = across_by_y_by_q73 + t87;
-        const double across_166 = across_by_q73 - 0.016 * across_slope_162;
-        const double strand_y_by_18 = layer_0_y_by_q73 + t88;
+        const double across_166 = across_by_q73 - 0.016 * (across_by_y_by_q73 + t87);
         const double strand_y_10 = 0.016 + layer_0_y - t89;
-        const double half_square_by_96 = across_166 - strand_y_10 * strand_y_by_18;
-        const double across_slope_18 = twice_across_2 - t90;
-        const double across_20 = twice_across - 0.016 * across_slope_18;
+        const double half_square_by_96 = across_166 - strand_y_10 * (layer_0_y_by_q73 + t88);
+        const double across_20 = twice_across - 0.016 * (twice_across_2 - t90);
         const double length_10 = sinew_sqrt(across_20 + strand_y_10 * strand_y_10);
         const double t130 = 1.0 / length_10;
-        const double length_10_by_q73 = half_square_by_96 * t130;
         const double across_94 = across_by_q71 - 0.016 * across_by_y_by_q71;
         const double half_square_by_20 = across_94 - strand_y_10 * layer_0_y_by_q71;
-        const double length_10_by_q71 = half_square_by_20 * t130;
         const double across_slope_160 = across_by_y_by_q73 + 0.014 * across_by_y_squared_by_q73;
-        const double across_164 = across_by_q73 - 0.014 * across_slope_160;
-        const double strand_y_by_16 = layer_0_y_by_q73 + 0.014 * u_y_by_q73;
         const double strand_y_9 = 0.014 + layer_0_y - 0.014 * u_y;
-        const double half_square_by_94 = across_164 - strand_y_9 * strand_y_by_16;
-        const double across_slope_16 = twice_across_2 - 0.014 * twice_across_4;
-        const double across_18 = twice_across - 0.014 * across_slope_16;
+        const double half_square_by_94 = across_by_q73 - 0.014 * across_slope_160 - strand_y_9
+            * (layer_0_y_by_q73 + 0.014 * u_y_by_q73);
+        const double across_18 = twice_across - 0.014 * (twice_across_2 - 0.014 * twice_across_4);
         const double length_9 = sinew_sqrt(across_18 + strand_y_9 * strand_y_9);
         const double t131 = 1.0 / length_9;
-        const double length_9_by_q73 = half_square_by_94 * t131;
         const double across_92 = across_by_q71 - 0.014 * across_by_y_by_q71;
         const double half_square_by_18 = across_92 - strand_y_9 * layer_0_y_by_q71;
-        const double length_9_by_q71 = half_square_by_18 * t131;
-        const double across_slope_158 = across_by_y_by_q73 + t93;
-        const double across_162 = across_by_q73 - 0.013 * across_slope_158;
-        const double strand_y_by_14 = layer_0_y_by_q73 + t48;
+        const double across_162 = across_by_q73 - 0.013 * (across_by_y_by_q73 + t93);
         const double strand_y_8 = 0.012 + layer_0_y - t52;
-        const double half_square_by_92 = across_162 - strand_y_8 * strand_y_by_14;
-        const double across_slope_14 = twice_across_2 - t94;
-        const double across_16 = twice_across - 0.013 * across_slope_14;
+        const double half_square_by_92 = across_162 - strand_y_8 * (layer_0_y_by_q73 + t48);
+        const double across_16 = twice_across - 0.013 * (twice_across_2 - t94);
         const double length_8 = sinew_sqrt(across_16 + strand_y_8 * strand_y_8);
         const double t132 = 1.0 / length_8;
-        const double length_8_by_q73 = half_square_by_92 * t132;
         const double across_90 = across_by_q71 - 0.013 * across_by_y_by_q71;
         const double half_square_by_16 = across_90 - strand_y_8 * layer_0_y_by_q71;
-        const double length_8_by_q71 = half_square_by_16 * t132;
-        const double across_slope_156 = across_by_y_by_q73 + t96;
-        const double across_160 = across_by_q73 - 0.011 * across_slope_156;
-        const double strand_y_by_12 = layer_0_y_by_q73 + t97;
+        const double across_160 = across_by_q73 - 0.011 * (across_by_y_by_q73 + t96);
         const double strand_y_7 = 0.011 + layer_0_y - t98;
-        const double half_square_by_90 = across_160 - strand_y_7 * strand_y_by_12;
-        const double across_slope_12 = twice_across_2 - t99;
-        const double across_14 = twice_across - 0.011 * across_slope_12;
+        const double half_square_by_90 = across_160 - strand_y_7 * (layer_0_y_by_q73 + t97);
+        const double across_14 = twice_across - 0.011 * (twice_across_2 - t99);
         const double length_7 = sinew_sqrt(across_14 + strand_y_7 * strand_y_7);
         const double t133 = 1.0 / length_7;
-        const double length_7_by_q73 = half_square_by_90 * t133;
         const double across_88 = across_by_q71 - 0.011 * across_by_y_by_q71;
         const double half_square_by_14 = across_88 - strand_y_7 * layer_0_y_by_q71;
-        const double length_7_by_q71 = half_square_by_14 * t133;
         const double across_slope_154 = across_by_y_by_q73 + 0.009 * across_by_y_squared_by_q73;
-        const double across_158 = across_by_q73 - 0.009 * across_slope_154;
-        const double strand_y_by_10 = layer_0_y_by_q73 + 0.009 * u_y_by_q73;
         const double strand_y_6 = 0.009 + layer_0_y - 0.009 * u_y;
-        const double half_square_by_88 = across_158 - strand_y_6 * strand_y_by_10;
-        const double across_slope_10 = twice_across_2 - 0.009 * twice_across_4;
-        const double across_12 = twice_across - 0.009 * across_slope_10;
+        const double half_square_by_88 = across_by_q73 - 0.009 * across_slope_154 - strand_y_6
+            * (layer_0_y_by_q73 + 0.009 * u_y_by_q73);
+        const double across_12 = twice_across - 0.009 * (twice_across_2 - 0.009 * twice_across_4);
         const double length_6 = sinew_sqrt(across_12 + strand_y_6 * strand_y_6);
         const double t134 = 1.0 / length_6;
-        const double length_6_by_q73 = half_square_by_88 * t134;
         const double across_86 = across_by_q71 - 0.009 * across_by_y_by_q71;
         const double half_square_by_12 = across_86 - strand_y_6 * layer_0_y_by_q71;
-        const double length_6_by_q71 = half_square_by_12 * t134;
-        const double across_slope_152 = across_by_y_by_q73 + t102;
-        const double across_156 = across_by_q73 - 0.008 * across_slope_152;
-        const double strand_y_by_8 = layer_0_y_by_q73 + t103;
+        const double across_156 = across_by_q73 - 0.008 * (across_by_y_by_q73 + t102);
         const double strand_y_5 = 0.008 + layer_0_y - t104;
-        const double half_square_by_86 = across_156 - strand_y_5 * strand_y_by_8;
-        const double across_slope_8 = twice_across_2 - t105;
-        const double across_10 = twice_across - 0.008 * across_slope_8;
+        const double half_square_by_86 = across_156 - strand_y_5 * (layer_0_y_by_q73 + t103);
+        const double across_10 = twice_across - 0.008 * (twice_across_2 - t105);
         const double length_5 = sinew_sqrt(across_10 + strand_y_5 * strand_y_5);
         const double t135 = 1.0 / length_5;
-        const double length_5_by_q73 = half_square_by_86 * t135;
         const double across_84 = across_by_q71 - 0.008 * across_by_y_by_q71;
         const double half_square_by_10 = across_84 - strand_y_5 * layer_0_y_by_q71;
-        const double length_5_by_q71 = half_square_by_10 * t135;
         const double across_slope_150 = across_by_y_by_q73 + 0.006 * across_by_y_squared_by_q73;
-        const double across_154 = across_by_q73 - 0.006 * across_slope_150;
-        const double strand_y_by_6 = layer_0_y_by_q73 + 0.006 * u_y_by_q73;
         const double strand_y_4 = 0.006 + layer_0_y - 0.006 * u_y;
-        const double half_square_by_84 = across_154 - strand_y_4 * strand_y_by_6;
-        const double across_slope_6 = twice_across_2 - 0.006 * twice_across_4;
-        const double across_8 = twice_across - 0.006 * across_slope_6;
+        const double half_square_by_84 = across_by_q73 - 0.006 * across_slope_150 - strand_y_4
+            * (layer_0_y_by_q73 + 0.006 * u_y_by_q73);
+        const double across_8 = twice_across - 0.006 * (twice_across_2 - 0.006 * twice_across_4);
         const double length_4 = sinew_sqrt(across_8 + strand_y_4 * strand_y_4);
         const double t136 = 1.0 / length_4;
-        const double length_4_by_q73 = half_square_by_84 * t136;
         const double across_82 = across_by_q71 - 0.006 * across_by_y_by_q71;
         const double half_square_by_8 = across_82 - strand_y_4 * layer_0_y_by_q71;
-        const double length_4_by_q71 = half_square_by_8 * t136;
-        const double across_slope_148 = across_by_y_by_q73 + t108;
-        const double across_152 = across_by_q73 - 0.005 * across_slope_148;
-        const double strand_y_by_4 = layer_0_y_by_q73 + t109;
+        const double across_152 = across_by_q73 - 0.005 * (across_by_y_by_q73 + t108);
         const double strand_y_3 = 0.004 + layer_0_y - t110;
-        const double half_square_by_82 = across_152 - strand_y_3 * strand_y_by_4;
-        const double across_slope_4 = twice_across_2 - t111;
-        const double across_6 = twice_across - 0.005 * across_slope_4;
+        const double half_square_by_82 = across_152 - strand_y_3 * (layer_0_y_by_q73 + t109);
+        const double across_6 = twice_across - 0.005 * (twice_across_2 - t111);
         const double length_3 = sinew_sqrt(across_6 + strand_y_3 * strand_y_3);
         const double t137 = 1.0 / length_3;
-        const double length_3_by_q73 = half_square_by_82 * t137;
         const double across_80 = across_by_q71 - 0.005 * across_by_y_by_q71;
         const double half_square_by_6 = across_80 - strand_y_3 * layer_0_y_by_q71;
-        const double length_3_by_q71 = half_square_by_6 * t137;
-        const double across_slope_146 = across_by_y_by_q73 + t113;
-        const double across_150 = across_by_q73 - 0.003 * across_slope_146;
-        const double strand_y_by_2 = layer_0_y_by_q73 + t114;
+        const double across_150 = across_by_q73 - 0.003 * (across_by_y_by_q73 + t113);
         const double strand_y_2 = 0.003 + layer_0_y - t115;
-        const double half_square_by_80 = across_150 - strand_y_2 * strand_y_by_2;
-        const double across_slope_2 = twice_across_2 - t116;
-        const double across_4 = twice_across - 0.003 * across_slope_2;
+        const double half_square_by_80 = across_150 - strand_y_2 * (layer_0_y_by_q73 + t114);
+        const double across_4 = twice_across - 0.003 * (twice_across_2 - t116);
         const double length_2 = sinew_sqrt(across_4 + strand_y_2 * strand_y_2);
         const double t138 = 1.0 / length_2;
-        const double length_2_by_q73 = half_square_by_80 * t138;
         const double across_78 = across_by_q71 - 0.003 * across_by_y_by_q71;
         const double half_square_by_4 = across_78 - strand_y_2 * layer_0_y_by_q71;
-        const double length_2_by_q71 = half_square_by_4 * t138;
         const double across_slope_144 = across_by_y_by_q73 + 0.001 * across_by_y_squared_by_q73;
-        const double across_148 = across_by_q73 - 0.001 * across_slope_144;
-        const double strand_y_by = layer_0_y_by_q73 + 0.001 * u_y_by_q73;
         const double strand_y_1 = 0.001 + layer_0_y - 0.001 * u_y;
-        const double half_square_by_78 = across_148 - strand_y_1 * strand_y_by;
-        const double across_slope = twice_across_2 - 0.001 * twice_across_4;
-        const double across_2 = twice_across - 0.001 * across_slope;
+        const double half_square_by_78 = across_by_q73 - 0.001 * across_slope_144 - strand_y_1
+            * (layer_0_y_by_q73 + 0.001 * u_y_by_q73);
+        const double across_2 = twice_across - 0.001 * (twice_across_2 - 0.001 * twice_across_4);
         const double length_1 = sinew_sqrt(across_2 + strand_y_1 * strand_y_1);
         const double t139 = 1.0 / length_1;
-        const double length_1_by_q73 = half_square_by_78 * t139;
         const double across_76 = across_by_q71 - 0.001 * across_by_y_by_q71;
         const double half_square_by_2 = across_76 - strand_y_1 * layer_0_y_by_q71;
-        const double length_1_by_q71 = half_square_by_2 * t139;
         const double half_square_by_76 = across_by_q73 - layer_0_y * layer_0_y_by_q73;
         const double length_0 = sinew_sqrt(twice_across + layer_0_y * layer_0_y);
         const double t140 = 1.0 / length_0;
-        const double length_0_by_q73 = half_square_by_76 * t140;
         const double half_square_by = across_by_q71 - layer_0_y * layer_0_y_by_q71;
-        const double length_0_by_q71 = half_square_by * t140;
         h[state] = length_0;
         h[1 * n + state] = length_1;
         h[2 * n + state] = length_2;
@@ -5121,82 +4260,82 @@ void hand_wrist_passage_batch(int count, const double *SINEW_RESTRICT q_wrist,
         h[35 * n + state] = length_35;
         h[36 * n + state] = length_36;
         h[37 * n + state] = length_37;
-        P[state] = length_0_by_q71;
-        P[1 * n + state] = -length_0_by_q73;
-        P[2 * n + state] = length_1_by_q71;
-        P[3 * n + state] = -length_1_by_q73;
-        P[4 * n + state] = length_2_by_q71;
-        P[5 * n + state] = -length_2_by_q73;
-        P[6 * n + state] = length_3_by_q71;
-        P[7 * n + state] = -length_3_by_q73;
-        P[8 * n + state] = length_4_by_q71;
-        P[9 * n + state] = -length_4_by_q73;
-        P[10 * n + state] = length_5_by_q71;
-        P[11 * n + state] = -length_5_by_q73;
-        P[12 * n + state] = length_6_by_q71;
-        P[13 * n + state] = -length_6_by_q73;
-        P[14 * n + state] = length_7_by_q71;
-        P[15 * n + state] = -length_7_by_q73;
-        P[16 * n + state] = length_8_by_q71;
-        P[17 * n + state] = -length_8_by_q73;
-        P[18 * n + state] = length_9_by_q71;
-        P[19 * n + state] = -length_9_by_q73;
-        P[20 * n + state] = length_10_by_q71;
-        P[21 * n + state] = -length_10_by_q73;
-        P[22 * n + state] = length_11_by_q71;
-        P[23 * n + state] = -length_11_by_q73;
-        P[24 * n + state] = length_12_by_q71;
-        P[25 * n + state] = -length_12_by_q73;
-        P[26 * n + state] = length_13_by_q71;
-        P[27 * n + state] = -length_13_by_q73;
-        P[28 * n + state] = length_14_by_q71;
-        P[29 * n + state] = -length_14_by_q73;
-        P[30 * n + state] = length_15_by_q71;
-        P[31 * n + state] = -length_15_by_q73;
-        P[32 * n + state] = length_16_by_q71;
-        P[33 * n + state] = -length_16_by_q73;
-        P[34 * n + state] = length_17_by_q71;
-        P[35 * n + state] = -length_17_by_q73;
-        P[36 * n + state] = length_18_by_q71;
-        P[37 * n + state] = -length_18_by_q73;
-        P[38 * n + state] = length_19_by_q71;
-        P[39 * n + state] = -length_19_by_q73;
-        P[40 * n + state] = length_20_by_q71;
-        P[41 * n + state] = -length_20_by_q73;
-        P[42 * n + state] = length_21_by_q71;
-        P[43 * n + state] = -length_21_by_q73;
-        P[44 * n + state] = length_22_by_q71;
-        P[45 * n + state] = -length_22_by_q73;
-        P[46 * n + state] = length_23_by_q71;
-        P[47 * n + state] = -length_23_by_q73;
-        P[48 * n + state] = length_24_by_q71;
-        P[49 * n + state] = -length_24_by_q73;
-        P[50 * n + state] = length_25_by_q71;
-        P[51 * n + state] = -length_25_by_q73;
-        P[52 * n + state] = length_26_by_q71;
-        P[53 * n + state] = -length_26_by_q73;
-        P[54 * n + state] = length_27_by_q71;
-        P[55 * n + state] = -length_27_by_q73;
-        P[56 * n + state] = length_28_by_q71;
-        P[57 * n + state] = -length_28_by_q73;
-        P[58 * n + state] = length_29_by_q71;
-        P[59 * n + state] = -length_29_by_q73;
-        P[60 * n + state] = length_30_by_q71;
-        P[61 * n + state] = -length_30_by_q73;
-        P[62 * n + state] = length_31_by_q71;
-        P[63 * n + state] = -length_31_by_q73;
-        P[64 * n + state] = length_32_by_q71;
-        P[65 * n + state] = -length_32_by_q73;
-        P[66 * n + state] = length_33_by_q71;
-        P[67 * n + state] = -length_33_by_q73;
-        P[68 * n + state] = length_34_by_q71;
-        P[69 * n + state] = -length_34_by_q73;
-        P[70 * n + state] = length_35_by_q71;
-        P[71 * n + state] = -length_35_by_q73;
-        P[72 * n + state] = length_36_by_q71;
-        P[73 * n + state] = -length_36_by_q73;
-        P[74 * n + state] = length_37_by_q71;
-        P[75 * n + state] = -length_37_by_q73;
+        P[state] = half_square_by * t140;
+        P[1 * n + state] = -(half_square_by_76 * t140);
+        P[2 * n + state] = half_square_by_2 * t139;
+        P[3 * n + state] = -(half_square_by_78 * t139);
+        P[4 * n + state] = half_square_by_4 * t138;
+        P[5 * n + state] = -(half_square_by_80 * t138);
+        P[6 * n + state] = half_square_by_6 * t137;
+        P[7 * n + state] = -(half_square_by_82 * t137);
+        P[8 * n + state] = half_square_by_8 * t136;
+        P[9 * n + state] = -(half_square_by_84 * t136);
+        P[10 * n + state] = half_square_by_10 * t135;
+        P[11 * n + state] = -(half_square_by_86 * t135);
+        P[12 * n + state] = half_square_by_12 * t134;
+        P[13 * n + state] = -(half_square_by_88 * t134);
+        P[14 * n + state] = half_square_by_14 * t133;
+        P[15 * n + state] = -(half_square_by_90 * t133);
+        P[16 * n + state] = half_square_by_16 * t132;
+        P[17 * n + state] = -(half_square_by_92 * t132);
+        P[18 * n + state] = half_square_by_18 * t131;
+        P[19 * n + state] = -(half_square_by_94 * t131);
+        P[20 * n + state] = half_square_by_20 * t130;
+        P[21 * n + state] = -(half_square_by_96 * t130);
+        P[22 * n + state] = half_square_by_22 * t129;
+        P[23 * n + state] = -(half_square_by_98 * t129);
+        P[24 * n + state] = half_square_by_24 * t128;
+        P[25 * n + state] = -(half_square_by_100 * t128);
+        P[26 * n + state] = half_square_by_26 * t127;
+        P[27 * n + state] = -(half_square_by_102 * t127);
+        P[28 * n + state] = half_square_by_28 * t126;
+        P[29 * n + state] = -(half_square_by_104 * t126);
+        P[30 * n + state] = half_square_by_30 * t125;
+        P[31 * n + state] = -(half_square_by_106 * t125);
+        P[32 * n + state] = half_square_by_32 * t124;
+        P[33 * n + state] = -(half_square_by_108 * t124);
+        P[34 * n + state] = half_square_by_34 * t123;
+        P[35 * n + state] = -(half_square_by_110 * t123);
+        P[36 * n + state] = half_square_by_36 * t122;
+        P[37 * n + state] = -(half_square_by_112 * t122);
+        P[38 * n + state] = half_square_by_38 * t119;
+        P[39 * n + state] = -(half_square_by_114 * t119);
+        P[40 * n + state] = half_square_by_40 * t118;
+        P[41 * n + state] = -(half_square_by_116 * t118);
+        P[42 * n + state] = half_square_by_42 * t117;
+        P[43 * n + state] = -(half_square_by_118 * t117);
+        P[44 * n + state] = half_square_by_44 * t112;
+        P[45 * n + state] = -(half_square_by_120 * t112);
+        P[46 * n + state] = half_square_by_46 * t107;
+        P[47 * n + state] = -(half_square_by_122 * t107);
+        P[48 * n + state] = half_square_by_48 * t106;
+        P[49 * n + state] = -(half_square_by_124 * t106);
+        P[50 * n + state] = half_square_by_50 * t101;
+        P[51 * n + state] = -(half_square_by_126 * t101);
+        P[52 * n + state] = half_square_by_52 * t100;
+        P[53 * n + state] = -(half_square_by_128 * t100);
+        P[54 * n + state] = half_square_by_54 * t95;
+        P[55 * n + state] = -(half_square_by_130 * t95);
+        P[56 * n + state] = half_square_by_56 * t92;
+        P[57 * n + state] = -(half_square_by_132 * t92);
+        P[58 * n + state] = half_square_by_58 * t91;
+        P[59 * n + state] = -(half_square_by_134 * t91);
+        P[60 * n + state] = half_square_by_60 * t86;
+        P[61 * n + state] = -(half_square_by_136 * t86);
+        P[62 * n + state] = half_square_by_62 * t85;
+        P[63 * n + state] = -(half_square_by_138 * t85);
+        P[64 * n + state] = half_square_by_64 * t80;
+        P[65 * n + state] = -(half_square_by_140 * t80);
+        P[66 * n + state] = half_square_by_66 * t75;
+        P[67 * n + state] = -(half_square_by_142 * t75);
+        P[68 * n + state] = half_square_by_68 * t74;
+        P[69 * n + state] = -(half_square_by_144 * t74);
+        P[70 * n + state] = half_square_by_70 * t69;
+        P[71 * n + state] = -(half_square_by_146 * t69);
+        P[72 * n + state] = half_square_by_72 * t68;
+        P[73 * n + state] = -(half_square_by_148 * t68);
+        P[74 * n + state] = half_square_by_74 * t55;
+        P[75 * n + state] = -(half_square_by_150 * t55);
     }
 }
 
@@ -5215,8 +4354,7 @@ void hand_wrist_stiffness_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double t1 = 23.80952380952381 * B_e;
         const double B_y = 0.074565407529229 * cos_q73;
         const double B_to_C0_squared_by_q73_by_q73 = 0.084 * B_y;
-        const double B_to_C0_squared = 0.007324 - B_to_C0_squared_by_q73_by_q73;
-        const double t2 = 1.0 / B_to_C0_squared;
+        const double t2 = 1.0 / (0.007324 - B_to_C0_squared_by_q73_by_q73);
         const double B_to_C0_squared_by_q73 = 0.084 * B_e;
         const double ratio = 0.003796 * t2;
         const double ratio_by_q73 = ratio * B_to_C0_squared_by_q73 * t2;
@@ -5300,8 +4438,7 @@ void hand_wrist_stiffness_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double t16 = p_z * limited;
         const double t17 = 1e-12 * reach_squared;
         const double t18 = (reach + limited) * (reach - limited);
-        const double clearance = sinew_max(t18, t17);
-        const double root = sinew_sqrt(clearance);
+        const double root = sinew_sqrt(sinew_max(t18, t17));
         const double sin_A = (p_y * root - t16) * t14;
         const double t19 = cos_q71 * sin_A;
         const double t20 = p_z * root;
@@ -5313,101 +4450,64 @@ void hand_wrist_stiffness_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double t23 = cos_q71 * cos_A;
         const double x_plane_x = u_y * sin_A;
         const double t24 = sin_q71 * x_plane_x;
-        const double x_z = t23 - t24;
-        const double t25 = 0.004 * x_z;
+        const double t25 = 0.004 * (t23 - t24);
         const double M_z = sin_q71 * M_e;
         const double origin_z = M_z - 0.018 * z_z;
         const double layer_1_z = 0.028 - origin_z - t25 + t22 + t7;
         const double per_length_18 = f[18 * n + state] / h[18 * n + state];
         const double pull_by_y_18 = 0.029 * per_length_18;
-        const double pull_by_y_squared_18 = 0.029 * pull_by_y_18;
         const double per_length_17 = f[17 * n + state] / h[17 * n + state];
         const double pull_by_y_17 = 0.027 * per_length_17;
-        const double pull_by_y_squared_17 = 0.027 * pull_by_y_17;
         const double per_length_16 = f[16 * n + state] / h[16 * n + state];
         const double pull_by_y_16 = 0.025 * per_length_16;
-        const double pull_by_y_squared_16 = 0.025 * pull_by_y_16;
         const double per_length_15 = f[15 * n + state] / h[15 * n + state];
         const double pull_by_y_15 = 0.024 * per_length_15;
-        const double pull_by_y_squared_15 = 0.024 * pull_by_y_15;
         const double per_length_14 = f[14 * n + state] / h[14 * n + state];
         const double pull_by_y_14 = 0.022 * per_length_14;
-        const double pull_by_y_squared_14 = 0.022 * pull_by_y_14;
         const double per_length_13 = f[13 * n + state] / h[13 * n + state];
         const double pull_by_y_13 = 0.021 * per_length_13;
-        const double pull_by_y_squared_13 = 0.021 * pull_by_y_13;
         const double per_length_12 = f[12 * n + state] / h[12 * n + state];
         const double pull_by_y_12 = 0.019 * per_length_12;
-        const double pull_by_y_squared_12 = 0.019 * pull_by_y_12;
         const double per_length_11 = f[11 * n + state] / h[11 * n + state];
         const double pull_by_y_11 = 0.017 * per_length_11;
-        const double pull_by_y_squared_11 = 0.017 * pull_by_y_11;
         const double per_length_10 = f[10 * n + state] / h[10 * n + state];
         const double pull_by_y_10 = 0.016 * per_length_10;
-        const double pull_by_y_squared_10 = 0.016 * pull_by_y_10;
         const double per_length_9 = f[9 * n + state] / h[9 * n + state];
         const double pull_by_y_9 = 0.014 * per_length_9;
-        const double pull_by_y_squared_9 = 0.014 * pull_by_y_9;
         const double per_length_8 = f[8 * n + state] / h[8 * n + state];
         const double pull_by_y_8 = 0.013 * per_length_8;
-        const double pull_by_y_squared_8 = 0.013 * pull_by_y_8;
         const double per_length_7 = f[7 * n + state] / h[7 * n + state];
         const double pull_by_y_7 = 0.011 * per_length_7;
-        const double pull_by_y_squared_7 = 0.011 * pull_by_y_7;
         const double per_length_6 = f[6 * n + state] / h[6 * n + state];
         const double pull_by_y_6 = 0.009 * per_length_6;
-        const double pull_by_y_squared_6 = 0.009 * pull_by_y_6;
         const double per_length_5 = f[5 * n + state] / h[5 * n + state];
         const double pull_by_y_5 = 0.008 * per_length_5;
-        const double pull_by_y_squared_5 = 0.008 * pull_by_y_5;
         const double per_length_4 = f[4 * n + state] / h[4 * n + state];
         const double pull_by_y_4 = 0.006 * per_length_4;
-        const double pull_by_y_squared_4 = 0.006 * pull_by_y_4;
         const double per_length_3 = f[3 * n + state] / h[3 * n + state];
         const double pull_by_y_3 = 0.005 * per_length_3;
-        const double pull_by_y_squared_3 = 0.005 * pull_by_y_3;
         const double per_length_1 = f[1 * n + state] / h[1 * n + state];
         const double pull_by_y_1 = 0.001 * per_length_1;
-        const double pull_by_y_squared_1 = 0.001 * pull_by_y_1;
         const double per_length_2 = f[2 * n + state] / h[2 * n + state];
         const double pull_by_y_2 = 0.003 * per_length_2;
-        const double pull_by_y_squared_2 = 0.003 * pull_by_y_2;
-        const double t26 = pull_by_y_squared_1 + pull_by_y_squared_2 + pull_by_y_squared_3
-            + pull_by_y_squared_4;
-        const double t27 = t26 + pull_by_y_squared_5 + pull_by_y_squared_6 + pull_by_y_squared_7
-            + pull_by_y_squared_8;
-        const double t28 = t27 + pull_by_y_squared_9 + pull_by_y_squared_10 + pull_by_y_squared_11
-            + pull_by_y_squared_12;
-        const double t29 = t28 + pull_by_y_squared_13 + pull_by_y_squared_14 + pull_by_y_squared_15
-            + pull_by_y_squared_16;
-        const double pull_21 = t29 + pull_by_y_squared_17 + pull_by_y_squared_18;
-        const double pull_by_y_squared_37 = 0.029 * pull_by_y_37;
-        const double pull_by_y_squared_36 = 0.027 * pull_by_y_36;
-        const double pull_by_y_squared_35 = 0.026 * pull_by_y_35;
-        const double pull_by_y_squared_34 = 0.024 * pull_by_y_34;
-        const double pull_by_y_squared_33 = 0.023 * pull_by_y_33;
-        const double pull_by_y_squared_32 = 0.021 * pull_by_y_32;
-        const double pull_by_y_squared_31 = 0.019 * pull_by_y_31;
-        const double pull_by_y_squared_30 = 0.018 * pull_by_y_30;
-        const double pull_by_y_squared_29 = 0.016 * pull_by_y_29;
-        const double pull_by_y_squared_28 = 0.015 * pull_by_y_28;
-        const double pull_by_y_squared_27 = 0.013 * pull_by_y_27;
-        const double pull_by_y_squared_26 = 0.011 * pull_by_y_26;
-        const double pull_by_y_squared_25 = 0.01 * pull_by_y_25;
-        const double pull_by_y_squared_24 = 0.008 * pull_by_y_24;
-        const double pull_by_y_squared_23 = 0.007 * pull_by_y_23;
-        const double pull_by_y_squared_22 = 0.005 * pull_by_y_22;
-        const double pull_by_y_squared_20 = 0.002 * pull_by_y_20;
-        const double pull_by_y_squared_21 = 0.003 * pull_by_y_21;
-        const double t30 = pull_by_y_squared_20 + pull_by_y_squared_21 + pull_by_y_squared_22
-            + pull_by_y_squared_23;
-        const double t31 = t30 + pull_by_y_squared_24 + pull_by_y_squared_25 + pull_by_y_squared_26
-            + pull_by_y_squared_27;
-        const double t32 = t31 + pull_by_y_squared_28 + pull_by_y_squared_29 + pull_by_y_squared_30
-            + pull_by_y_squared_31;
-        const double t33 = t32 + pull_by_y_squared_32 + pull_by_y_squared_33 + pull_by_y_squared_34
-            + pull_by_y_squared_35;
-        const double pull_42 = t33 + pull_by_y_squared_36 + pull_by_y_squared_37;
+        const double t26 = 0.001 * pull_by_y_1 + 0.003 * pull_by_y_2 + 0.005 * pull_by_y_3 + 0.006
+            * pull_by_y_4;
+        const double t27 = t26 + 0.008 * pull_by_y_5 + 0.009 * pull_by_y_6 + 0.011 * pull_by_y_7
+            + 0.013 * pull_by_y_8;
+        const double t28 = t27 + 0.014 * pull_by_y_9 + 0.016 * pull_by_y_10 + 0.017 * pull_by_y_11
+            + 0.019 * pull_by_y_12;
+        const double t29 = t28 + 0.021 * pull_by_y_13 + 0.022 * pull_by_y_14 + 0.024 * pull_by_y_15
+            + 0.025 * pull_by_y_16;
+        const double pull_21 = t29 + 0.027 * pull_by_y_17 + 0.029 * pull_by_y_18;
+        const double t30 = 0.002 * pull_by_y_20 + 0.003 * pull_by_y_21 + 0.005 * pull_by_y_22
+            + 0.007 * pull_by_y_23;
+        const double t31 = t30 + 0.008 * pull_by_y_24 + 0.01 * pull_by_y_25 + 0.011 * pull_by_y_26
+            + 0.013 * pull_by_y_27;
+        const double t32 = t31 + 0.015 * pull_by_y_28 + 0.016 * pull_by_y_29 + 0.018 * pull_by_y_30
+            + 0.019 * pull_by_y_31;
+        const double t33 = t32 + 0.021 * pull_by_y_32 + 0.023 * pull_by_y_33 + 0.024 * pull_by_y_34
+            + 0.026 * pull_by_y_35;
+        const double pull_42 = t33 + 0.027 * pull_by_y_36 + 0.029 * pull_by_y_37;
         const double t34 = pull_21 + pull_42;
         const double t35 = pull_by_y_1 + pull_by_y_2 + pull_by_y_3 + pull_by_y_4 + pull_by_y_5
             + pull_by_y_6;
@@ -5427,318 +4527,255 @@ void hand_wrist_stiffness_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double t41 = 0.011 * u_y;
         const double z_plane_y = u_e * cos_A;
         const double t42 = 0.01 * z_plane_y;
-        const double x_plane_y = u_e * sin_A;
-        const double t43 = 0.004 * x_plane_y;
+        const double t43 = 0.004 * (u_e * sin_A);
         const double origin_y = M_y + 0.018 * z_plane_y;
         const double layer_0_y = 0.007 - origin_y - t43 + t42 + t41;
         const double strand_y_18 = 0.028 + layer_0_y - t40;
-        const double pull_by_y_along_18 = strand_y_18 * pull_by_y_18;
         const double t44 = 0.027 * u_y;
         const double strand_y_17 = 0.027 + layer_0_y - t44;
-        const double pull_by_y_along_17 = strand_y_17 * pull_by_y_17;
         const double strand_y_16 = 0.025 + layer_0_y - 0.025 * u_y;
-        const double pull_by_y_along_16 = strand_y_16 * pull_by_y_16;
         const double t45 = 0.024 * u_y;
         const double strand_y_15 = 0.024 + layer_0_y - t45;
-        const double pull_by_y_along_15 = strand_y_15 * pull_by_y_15;
         const double strand_y_14 = 0.022 + layer_0_y - 0.022 * u_y;
-        const double pull_by_y_along_14 = strand_y_14 * pull_by_y_14;
         const double t46 = 0.021 * u_y;
         const double strand_y_13 = 0.02 + layer_0_y - t46;
-        const double pull_by_y_along_13 = strand_y_13 * pull_by_y_13;
         const double t47 = 0.019 * u_y;
         const double strand_y_12 = 0.019 + layer_0_y - t47;
-        const double pull_by_y_along_12 = strand_y_12 * pull_by_y_12;
         const double strand_y_11 = 0.017 + layer_0_y - 0.017 * u_y;
-        const double pull_by_y_along_11 = strand_y_11 * pull_by_y_11;
         const double t48 = 0.016 * u_y;
         const double strand_y_10 = 0.016 + layer_0_y - t48;
-        const double pull_by_y_along_10 = strand_y_10 * pull_by_y_10;
         const double strand_y_9 = 0.014 + layer_0_y - 0.014 * u_y;
-        const double pull_by_y_along_9 = strand_y_9 * pull_by_y_9;
         const double t49 = 0.013 * u_y;
         const double strand_y_8 = 0.012 + layer_0_y - t49;
-        const double pull_by_y_along_8 = strand_y_8 * pull_by_y_8;
         const double strand_y_7 = 0.011 + layer_0_y - t41;
-        const double pull_by_y_along_7 = strand_y_7 * pull_by_y_7;
         const double strand_y_6 = 0.009 + layer_0_y - 0.009 * u_y;
-        const double pull_by_y_along_6 = strand_y_6 * pull_by_y_6;
         const double t50 = 0.008 * u_y;
         const double strand_y_5 = 0.008 + layer_0_y - t50;
-        const double pull_by_y_along_5 = strand_y_5 * pull_by_y_5;
         const double strand_y_4 = 0.006 + layer_0_y - 0.006 * u_y;
-        const double pull_by_y_along_4 = strand_y_4 * pull_by_y_4;
         const double t51 = 0.005 * u_y;
         const double strand_y_3 = 0.004 + layer_0_y - t51;
-        const double pull_by_y_along_3 = strand_y_3 * pull_by_y_3;
         const double strand_y_1 = 0.001 + layer_0_y - 0.001 * u_y;
-        const double pull_by_y_along_1 = strand_y_1 * pull_by_y_1;
         const double t52 = 0.003 * u_y;
         const double strand_y_2 = 0.003 + layer_0_y - t52;
-        const double pull_by_y_along_2 = strand_y_2 * pull_by_y_2;
-        const double t53 = pull_by_y_along_1 + pull_by_y_along_2 + pull_by_y_along_3
-            + pull_by_y_along_4;
-        const double t54 = t53 + pull_by_y_along_5 + pull_by_y_along_6 + pull_by_y_along_7
-            + pull_by_y_along_8;
-        const double t55 = t54 + pull_by_y_along_9 + pull_by_y_along_10 + pull_by_y_along_11
-            + pull_by_y_along_12;
-        const double t56 = t55 + pull_by_y_along_13 + pull_by_y_along_14 + pull_by_y_along_15
-            + pull_by_y_along_16;
-        const double pull_axis_y = t56 + pull_by_y_along_17 + pull_by_y_along_18;
+        const double t53 = strand_y_1 * pull_by_y_1 + strand_y_2 * pull_by_y_2 + strand_y_3
+            * pull_by_y_3;
+        const double t54 = t53 + strand_y_4 * pull_by_y_4 + strand_y_5 * pull_by_y_5 + strand_y_6
+            * pull_by_y_6;
+        const double t55 = t54 + strand_y_7 * pull_by_y_7 + strand_y_8 * pull_by_y_8 + strand_y_9
+            * pull_by_y_9;
+        const double t56 = t55 + strand_y_10 * pull_by_y_10 + strand_y_11 * pull_by_y_11
+            + strand_y_12 * pull_by_y_12;
+        const double t57 = t56 + strand_y_13 * pull_by_y_13 + strand_y_14 * pull_by_y_14
+            + strand_y_15 * pull_by_y_15;
+        const double pull_axis_y = t57 + strand_y_16 * pull_by_y_16 + strand_y_17 * pull_by_y_17
+            + strand_y_18 * pull_by_y_18;
         const double layer_1_y = 0.006 - origin_y - t43 - t42 + t49;
         const double strand_y_37 = 0.029 + layer_1_y - t40;
-        const double pull_by_y_along_37 = strand_y_37 * pull_by_y_37;
         const double strand_y_36 = 0.027 + layer_1_y - t44;
-        const double pull_by_y_along_36 = strand_y_36 * pull_by_y_36;
         const double strand_y_35 = 0.025 + layer_1_y - 0.026 * u_y;
-        const double pull_by_y_along_35 = strand_y_35 * pull_by_y_35;
         const double strand_y_34 = 0.024 + layer_1_y - t45;
-        const double pull_by_y_along_34 = strand_y_34 * pull_by_y_34;
         const double strand_y_33 = 0.022 + layer_1_y - 0.023 * u_y;
-        const double pull_by_y_along_33 = strand_y_33 * pull_by_y_33;
         const double strand_y_32 = 0.021 + layer_1_y - t46;
-        const double pull_by_y_along_32 = strand_y_32 * pull_by_y_32;
         const double strand_y_31 = 0.019 + layer_1_y - t47;
-        const double pull_by_y_along_31 = strand_y_31 * pull_by_y_31;
         const double strand_y_30 = 0.017 + layer_1_y - 0.018 * u_y;
-        const double pull_by_y_along_30 = strand_y_30 * pull_by_y_30;
         const double strand_y_29 = 0.016 + layer_1_y - t48;
-        const double pull_by_y_along_29 = strand_y_29 * pull_by_y_29;
         const double strand_y_28 = 0.014 + layer_1_y - 0.015 * u_y;
-        const double pull_by_y_along_28 = strand_y_28 * pull_by_y_28;
         const double strand_y_27 = 0.013 + layer_1_y - t49;
-        const double pull_by_y_along_27 = strand_y_27 * pull_by_y_27;
         const double strand_y_26 = 0.011 + layer_1_y - t41;
-        const double pull_by_y_along_26 = strand_y_26 * pull_by_y_26;
         const double strand_y_25 = 0.009 + layer_1_y - 0.01 * u_y;
-        const double pull_by_y_along_25 = strand_y_25 * pull_by_y_25;
         const double strand_y_24 = 0.008 + layer_1_y - t50;
-        const double pull_by_y_along_24 = strand_y_24 * pull_by_y_24;
         const double strand_y_23 = 0.006 + layer_1_y - 0.007 * u_y;
-        const double pull_by_y_along_23 = strand_y_23 * pull_by_y_23;
         const double strand_y_22 = 0.005 + layer_1_y - t51;
-        const double pull_by_y_along_22 = strand_y_22 * pull_by_y_22;
         const double strand_y_20 = 0.001 + layer_1_y - 0.002 * u_y;
-        const double pull_by_y_along_20 = strand_y_20 * pull_by_y_20;
         const double strand_y_21 = 0.003 + layer_1_y - t52;
-        const double pull_by_y_along_21 = strand_y_21 * pull_by_y_21;
-        const double t57 = pull_by_y_along_20 + pull_by_y_along_21 + pull_by_y_along_22
-            + pull_by_y_along_23;
-        const double t58 = t57 + pull_by_y_along_24 + pull_by_y_along_25 + pull_by_y_along_26
-            + pull_by_y_along_27;
-        const double t59 = t58 + pull_by_y_along_28 + pull_by_y_along_29 + pull_by_y_along_30
-            + pull_by_y_along_31;
-        const double t60 = t59 + pull_by_y_along_32 + pull_by_y_along_33 + pull_by_y_along_34
-            + pull_by_y_along_35;
-        const double pull_axis_y_2 = t60 + pull_by_y_along_36 + pull_by_y_along_37;
-        const double pull_axis_y_4 = pull_axis_y + pull_axis_y_2;
+        const double t58 = strand_y_20 * pull_by_y_20 + strand_y_21 * pull_by_y_21 + strand_y_22
+            * pull_by_y_22;
+        const double t59 = t58 + strand_y_23 * pull_by_y_23 + strand_y_24 * pull_by_y_24
+            + strand_y_25 * pull_by_y_25;
+        const double t60 = t59 + strand_y_26 * pull_by_y_26 + strand_y_27 * pull_by_y_27
+            + strand_y_28 * pull_by_y_28;
+        const double t61 = t60 + strand_y_29 * pull_by_y_29 + strand_y_30 * pull_by_y_30
+            + strand_y_31 * pull_by_y_31;
+        const double t62 = t61 + strand_y_32 * pull_by_y_32 + strand_y_33 * pull_by_y_33
+            + strand_y_34 * pull_by_y_34;
+        const double pull_axis_y_2 = t62 + strand_y_35 * pull_by_y_35 + strand_y_36 * pull_by_y_36
+            + strand_y_37 * pull_by_y_37;
         const double y_x_by_q73_by_q73 = cos_q71 * u_e_by_q73_by_q73;
         const double y_x = cos_q71 * u_e;
-        const double t61 = 0.013 * y_x;
-        const double t62 = sin_q71 * sin_A;
-        const double t63 = cos_q71 * z_plane_x;
-        const double z_x = t63 - t62;
-        const double t64 = 0.01 * z_x;
-        const double t65 = sin_q71 * cos_A;
-        const double t66 = cos_q71 * x_plane_x;
-        const double x_x = t66 + t65;
+        const double t63 = 0.013 * y_x;
+        const double t64 = sin_q71 * sin_A;
+        const double t65 = cos_q71 * z_plane_x;
+        const double z_x = t65 - t64;
+        const double t66 = 0.01 * z_x;
+        const double t67 = sin_q71 * cos_A;
+        const double t68 = cos_q71 * x_plane_x;
         const double M_x = cos_q71 * M_e;
-        const double t67 = 0.004 - M_x + 0.018 * z_x + 0.004 * x_x;
-        const double layer_1_x = t67 + t64 + t61;
-        const double t68 = 0.011 * y_x;
-        const double layer_0_x = t67 - t64 + t68;
+        const double t69 = 0.004 - M_x + 0.018 * z_x + 0.004 * (t68 + t67);
+        const double layer_1_x = t69 + t66 + t63;
+        const double t70 = 0.011 * y_x;
+        const double layer_0_x = t69 - t66 + t70;
         const double pull_axis_x_4 = y_x * t34 - layer_0_x * pull_19 - layer_1_x * pull_40;
-        const double pull_37 = strand_y_37 * per_length_37;
-        const double pull_36 = strand_y_36 * per_length_36;
-        const double pull_35 = strand_y_35 * per_length_35;
-        const double pull_34 = strand_y_34 * per_length_34;
-        const double pull_33 = strand_y_33 * per_length_33;
-        const double pull_32 = strand_y_32 * per_length_32;
-        const double pull_31 = strand_y_31 * per_length_31;
-        const double pull_30 = strand_y_30 * per_length_30;
-        const double pull_29 = strand_y_29 * per_length_29;
-        const double pull_28 = strand_y_28 * per_length_28;
-        const double pull_27 = strand_y_27 * per_length_27;
-        const double pull_26 = strand_y_26 * per_length_26;
-        const double pull_25 = strand_y_25 * per_length_25;
-        const double pull_24 = strand_y_24 * per_length_24;
-        const double pull_23 = strand_y_23 * per_length_23;
-        const double pull_22 = strand_y_22 * per_length_22;
-        const double pull_21_2 = strand_y_21 * per_length_21;
         const double per_length_19 = f[19 * n + state] / h[19 * n + state];
-        const double pull_19_2 = layer_1_y * per_length_19;
-        const double pull_20 = strand_y_20 * per_length_20;
-        const double t69 = pull_19_2 + pull_20 + pull_21_2 + pull_22 + pull_23 + pull_24 + pull_25
-            + pull_26;
-        const double t70 = t69 + pull_27 + pull_28 + pull_29 + pull_30 + pull_31 + pull_32
-            + pull_33;
-        const double pull_y_2 = t70 + pull_34 + pull_35 + pull_36 + pull_37;
+        const double t71 = layer_1_y * per_length_19 + strand_y_20 * per_length_20 + strand_y_21
+            * per_length_21;
+        const double t72 = t71 + strand_y_22 * per_length_22 + strand_y_23 * per_length_23
+            + strand_y_24 * per_length_24;
+        const double t73 = t72 + strand_y_25 * per_length_25 + strand_y_26 * per_length_26
+            + strand_y_27 * per_length_27;
+        const double t74 = t73 + strand_y_28 * per_length_28 + strand_y_29 * per_length_29
+            + strand_y_30 * per_length_30;
+        const double t75 = t74 + strand_y_31 * per_length_31 + strand_y_32 * per_length_32
+            + strand_y_33 * per_length_33;
+        const double t76 = t75 + strand_y_34 * per_length_34 + strand_y_35 * per_length_35
+            + strand_y_36 * per_length_36;
+        const double pull_y_2 = t76 + strand_y_37 * per_length_37;
         const double C_e_by_q73 = B_e * ratio_by_q73 - t39;
         const double u_e_by_q73 = t12 + 23.80952380952381 * C_e_by_q73;
-        const double t71 = u_e_by_q73 + u_e_by_q73;
-        const double t72 = -(1.296e-15 - t13 - t8);
-        const double t73 = p_y + p_y;
+        const double t77 = u_e_by_q73 + u_e_by_q73;
+        const double t78 = -(1.296e-15 - t13 - t8);
+        const double t79 = p_y + p_y;
         const double C_y_by_q73 = C_e - 0.002 * ratio_by_q73 * t10;
         const double u_y_by_q73 = t1 - 23.80952380952381 * C_y_by_q73;
         const double M_y_by_q73 = t11 + 0.5 * C_y_by_q73;
         const double M_e_by_q73 = t9 - 0.5 * C_e_by_q73;
         const double p_y_by_q73 = u_e * M_y_by_q73 + u_y * M_e_by_q73 - s_e * u_y_by_q73 + s_y
             * u_e_by_q73;
-        const double reach_squared_by_q73 = sinew_choose(t72, t73 * p_y_by_q73, 0.0);
-        const double t74 = reach - t15;
-        const double t75 = 1.0 / reach;
-        const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t75;
-        const double t76 = reach - projection;
-        const double t77 = sinew_choose(t76, 0.0, 1.0);
-        const double t78 = sinew_choose(t76, 1.0, 0.0);
-        const double t79 = 27.77777777777778 * p_x;
+        const double reach_squared_by_q73 = sinew_choose(t78, t79 * p_y_by_q73, 0.0);
+        const double t80 = reach - t15;
+        const double t81 = 1.0 / reach;
+        const double reach_by_q73 = 0.5 * reach_squared_by_q73 * t81;
+        const double t82 = reach - projection;
+        const double t83 = sinew_choose(t82, 0.0, 1.0);
+        const double t84 = sinew_choose(t82, 1.0, 0.0);
+        const double t85 = 27.77777777777778 * p_x;
         const double p_x_by_q73 = u_e * M_e_by_q73 - u_y * M_y_by_q73 + s_e * u_e_by_q73 + s_y
             * u_y_by_q73;
-        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t79
+        const double projection_by_q73 = 13.88888888888889 * reach_squared_by_q73 + t85
             * p_x_by_q73;
-        const double limited_by_q73 = sinew_choose(t74, -(reach_by_q73 * t77 - projection_by_q73
-            * t78), reach_by_q73);
-        const double t80 = 1.0 / root;
-        const double t81 = -(t17 - t18);
-        const double t82 = reach + reach;
-        const double t83 = limited + limited;
-        const double clearance_by_q73 = sinew_choose(t81, t82 * reach_by_q73 - t83 * limited_by_q73,
+        const double limited_by_q73 = sinew_choose(t80, -(reach_by_q73 * t83 - projection_by_q73
+            * t84), reach_by_q73);
+        const double t86 = 1.0 / root;
+        const double t87 = -(t17 - t18);
+        const double t88 = reach + reach;
+        const double t89 = limited + limited;
+        const double clearance_by_q73 = sinew_choose(t87, t88 * reach_by_q73 - t89 * limited_by_q73,
             1e-12 * reach_squared_by_q73);
-        const double root_by_q73 = 0.5 * clearance_by_q73 * t80;
-        const double t84 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
+        const double root_by_q73 = 0.5 * clearance_by_q73 * t86;
+        const double t90 = p_y * limited_by_q73 + p_z * root_by_q73 + limited * p_y_by_q73 - cos_A
             * reach_squared_by_q73;
-        const double cos_A_by_q73 = t84 * t14;
-        const double t85 = reach_squared_by_q73 + reach_squared_by_q73;
-        const double t86 = p_y_by_q73 + p_y_by_q73;
-        const double t87 = u_y_by_q73 + u_y_by_q73;
+        const double cos_A_by_q73 = t90 * t14;
+        const double t91 = reach_squared_by_q73 + reach_squared_by_q73;
+        const double t92 = p_y_by_q73 + p_y_by_q73;
+        const double t93 = u_y_by_q73 + u_y_by_q73;
         const double M_y_by_q73_by_q73 = t9 + 0.5 * C_y_by_q73_by_q73;
         const double M_e_by_q73_by_q73 = t11 + 0.5 * C_e_by_q73_by_q73;
-        const double t88 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e
+        const double t94 = u_e * M_y_by_q73_by_q73 - u_y * M_e_by_q73_by_q73 - s_e
             * u_y_by_q73_by_q73;
-        const double p_y_by_q73_by_q73 = t88 - s_y * u_e_by_q73_by_q73 + t71 * M_y_by_q73 - t87
+        const double p_y_by_q73_by_q73 = t94 - s_y * u_e_by_q73_by_q73 + t77 * M_y_by_q73 - t93
             * M_e_by_q73;
-        const double reach_squared_by_q73_by_q73 = sinew_choose(t72, t86 * p_y_by_q73 + t73
+        const double reach_squared_by_q73_by_q73 = sinew_choose(t78, t92 * p_y_by_q73 + t79
             * p_y_by_q73_by_q73, 0.0);
-        const double t89 = reach_by_q73 * reach_by_q73;
-        const double t90 = t89 + t89;
-        const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t90) * t75;
-        const double t91 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e
+        const double t95 = reach_by_q73 * reach_by_q73;
+        const double t96 = t95 + t95;
+        const double reach_by_q73_by_q73 = 0.5 * (reach_squared_by_q73_by_q73 - t96) * t81;
+        const double t97 = u_e * M_e_by_q73_by_q73 + u_y * M_y_by_q73_by_q73 + s_e
             * u_e_by_q73_by_q73;
-        const double p_x_by_q73_by_q73 = t91 - s_y * u_y_by_q73_by_q73 - t71 * M_e_by_q73 - t87
+        const double p_x_by_q73_by_q73 = t97 - s_y * u_y_by_q73_by_q73 - t77 * M_e_by_q73 - t93
             * M_y_by_q73;
-        const double t92 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
+        const double t98 = 13.88888888888889 * reach_squared_by_q73_by_q73 + 27.77777777777778
             * p_x_by_q73 * p_x_by_q73;
-        const double projection_by_q73_by_q73 = t92 - t79 * p_x_by_q73_by_q73;
-        const double limited_by_q73_by_q73 = sinew_choose(t74, -(reach_by_q73_by_q73 * t77
-            - projection_by_q73_by_q73 * t78), reach_by_q73_by_q73);
-        const double t93 = t90 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t82
+        const double limited_by_q73_by_q73 = sinew_choose(t80, -(reach_by_q73_by_q73 * t83 - (t98
+            - t85 * p_x_by_q73_by_q73) * t84), reach_by_q73_by_q73);
+        const double t99 = t96 - (limited_by_q73 + limited_by_q73) * limited_by_q73 + t88
             * reach_by_q73_by_q73;
-        const double clearance_by_q73_by_q73 = sinew_choose(t81, t93 - t83 * limited_by_q73_by_q73,
+        const double clearance_by_q73_by_q73 = sinew_choose(t87, t99 - t89 * limited_by_q73_by_q73,
             1e-12 * reach_squared_by_q73_by_q73);
-        const double t94 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73)
+        const double t100 = 0.5 * (clearance_by_q73_by_q73 - (root_by_q73 + root_by_q73)
             * root_by_q73);
-        const double root_by_q73_by_q73 = t94 * t80;
-        const double t95 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
+        const double root_by_q73_by_q73 = t100 * t86;
+        const double t101 = p_y * limited_by_q73_by_q73 + p_z * root_by_q73_by_q73 + limited
             * p_y_by_q73_by_q73;
-        const double t96 = t95 - cos_A * reach_squared_by_q73_by_q73 + t86 * limited_by_q73 - t85
+        const double t102 = t101 - cos_A * reach_squared_by_q73_by_q73 + t92 * limited_by_q73 - t91
             * cos_A_by_q73;
-        const double cos_A_by_q73_by_q73 = t96 * t14;
+        const double cos_A_by_q73_by_q73 = t102 * t14;
         const double z_plane_y_by_q73_by_q73 = u_e * cos_A_by_q73_by_q73 - cos_A * u_e_by_q73_by_q73
-            + t71 * cos_A_by_q73;
-        const double t97 = 0.01 * z_plane_y_by_q73_by_q73;
+            + t77 * cos_A_by_q73;
+        const double t103 = 0.01 * z_plane_y_by_q73_by_q73;
         const double origin_y_by_q73_by_q73 = M_y_by_q73_by_q73 - 0.018 * z_plane_y_by_q73_by_q73;
-        const double t98 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
+        const double t104 = p_y * root_by_q73 - p_z * limited_by_q73 + root * p_y_by_q73 - sin_A
             * reach_squared_by_q73;
-        const double sin_A_by_q73 = t98 * t14;
-        const double t99 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
+        const double sin_A_by_q73 = t104 * t14;
+        const double t105 = p_y * root_by_q73_by_q73 - p_z * limited_by_q73_by_q73 + root
             * p_y_by_q73_by_q73;
-        const double t100 = t99 - sin_A * reach_squared_by_q73_by_q73 + t86 * root_by_q73 - t85
+        const double t106 = t105 - sin_A * reach_squared_by_q73_by_q73 + t92 * root_by_q73 - t91
             * sin_A_by_q73;
-        const double sin_A_by_q73_by_q73 = t100 * t14;
+        const double sin_A_by_q73_by_q73 = t106 * t14;
         const double x_plane_y_by_q73_by_q73 = u_e * sin_A_by_q73_by_q73 - sin_A * u_e_by_q73_by_q73
-            + t71 * sin_A_by_q73;
-        const double t101 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
-        const double layer_1_y_by_q73_by_q73 = t101 - t97 - 0.013 * u_y_by_q73_by_q73;
+            + t77 * sin_A_by_q73;
+        const double t107 = origin_y_by_q73_by_q73 - 0.004 * x_plane_y_by_q73_by_q73;
         const double y_z_by_q71_by_q73 = cos_q71 * u_e_by_q73;
-        const double t102 = y_z_by_q71_by_q73 + y_z_by_q71_by_q73;
-        const double t103 = 0.013 * y_z_by_q71_by_q73;
-        const double t104 = sin_q71 * sin_A_by_q73;
+        const double t108 = y_z_by_q71_by_q73 + y_z_by_q71_by_q73;
+        const double t109 = 0.013 * y_z_by_q71_by_q73;
+        const double t110 = sin_q71 * sin_A_by_q73;
         const double z_plane_x_by_q73 = u_y * cos_A_by_q73 - cos_A * u_y_by_q73;
-        const double t105 = cos_q71 * z_plane_x_by_q73;
-        const double z_x_by_q73 = t105 - t104;
-        const double t106 = 0.01 * z_x_by_q73;
-        const double t107 = sin_q71 * cos_A_by_q73;
+        const double t111 = cos_q71 * z_plane_x_by_q73;
+        const double z_x_by_q73 = t111 - t110;
+        const double t112 = 0.01 * z_x_by_q73;
+        const double t113 = sin_q71 * cos_A_by_q73;
         const double x_plane_x_by_q73 = u_y * sin_A_by_q73 - sin_A * u_y_by_q73;
-        const double t108 = cos_q71 * x_plane_x_by_q73;
-        const double x_x_by_q73 = t108 + t107;
+        const double t114 = cos_q71 * x_plane_x_by_q73;
         const double M_z_by_q71_by_q73 = cos_q71 * M_e_by_q73;
-        const double origin_x_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_x_by_q73;
-        const double t109 = origin_x_by_q73 - 0.004 * x_x_by_q73;
-        const double layer_1_x_by_q73 = t109 - t106 - t103;
+        const double t115 = M_z_by_q71_by_q73 - 0.018 * z_x_by_q73 - 0.004 * (t114 + t113);
+        const double layer_1_x_by_q73 = t115 - t112 - t109;
         const double z_plane_y_by_q73 = u_e * cos_A_by_q73 + cos_A * u_e_by_q73;
-        const double t110 = 0.01 * z_plane_y_by_q73;
-        const double origin_y_by_q73 = M_y_by_q73 - 0.018 * z_plane_y_by_q73;
-        const double x_plane_y_by_q73 = u_e * sin_A_by_q73 + sin_A * u_e_by_q73;
-        const double t111 = origin_y_by_q73 - 0.004 * x_plane_y_by_q73;
-        const double layer_1_y_by_q73 = t111 - t110 - 0.013 * u_y_by_q73;
+        const double t116 = 0.01 * z_plane_y_by_q73;
+        const double t117 = M_y_by_q73 - 0.018 * z_plane_y_by_q73 - 0.004 * (u_e * sin_A_by_q73
+            + sin_A * u_e_by_q73);
+        const double layer_1_y_by_q73 = t117 - t116 - 0.013 * u_y_by_q73;
         const double y_x_by_q71_by_q73 = sin_q71 * u_e_by_q73;
-        const double t112 = y_x_by_q71_by_q73 + y_x_by_q71_by_q73;
-        const double t113 = 0.013 * y_x_by_q71_by_q73;
-        const double t114 = cos_q71 * sin_A_by_q73;
-        const double t115 = sin_q71 * z_plane_x_by_q73;
-        const double z_z_by_q73 = t114 + t115;
-        const double t116 = 0.01 * z_z_by_q73;
-        const double t117 = cos_q71 * cos_A_by_q73;
-        const double t118 = sin_q71 * x_plane_x_by_q73;
-        const double x_z_by_q73 = t117 - t118;
+        const double t118 = y_x_by_q71_by_q73 + y_x_by_q71_by_q73;
+        const double t119 = 0.013 * y_x_by_q71_by_q73;
+        const double t120 = cos_q71 * sin_A_by_q73;
+        const double t121 = sin_q71 * z_plane_x_by_q73;
+        const double z_z_by_q73 = t120 + t121;
+        const double t122 = 0.01 * z_z_by_q73;
+        const double t123 = cos_q71 * cos_A_by_q73;
+        const double t124 = sin_q71 * x_plane_x_by_q73;
         const double M_x_by_q71_by_q73 = sin_q71 * M_e_by_q73;
-        const double origin_z_by_q73 = M_x_by_q71_by_q73 - 0.018 * z_z_by_q73;
-        const double t119 = origin_z_by_q73 + 0.004 * x_z_by_q73;
-        const double layer_1_z_by_q73 = t119 - t116 - t113;
-        const double mixed_10 = t87 * layer_1_y_by_q73 + t112 * layer_1_z_by_q73 + t102
+        const double t125 = M_x_by_q71_by_q73 - 0.018 * z_z_by_q73 + 0.004 * (t123 - t124);
+        const double layer_1_z_by_q73 = t125 - t122 - t119;
+        const double mixed_10 = t93 * layer_1_y_by_q73 + t118 * layer_1_z_by_q73 + t108
             * layer_1_x_by_q73;
-        const double t120 = per_length_19 + per_length_20 + per_length_21 + per_length_22
+        const double t126 = per_length_19 + per_length_20 + per_length_21 + per_length_22
             + per_length_23;
-        const double t121 = t120 + per_length_24 + per_length_25 + per_length_26 + per_length_27
+        const double t127 = t126 + per_length_24 + per_length_25 + per_length_26 + per_length_27
             + per_length_28;
-        const double t122 = t121 + per_length_29 + per_length_30 + per_length_31 + per_length_32
+        const double t128 = t127 + per_length_29 + per_length_30 + per_length_31 + per_length_32
             + per_length_33;
-        const double pull_38 = t122 + per_length_34 + per_length_35 + per_length_36 + per_length_37;
-        const double t123 = layer_1_x_by_q73 * layer_1_x_by_q73 + layer_1_y_by_q73
+        const double pull_38 = t128 + per_length_34 + per_length_35 + per_length_36 + per_length_37;
+        const double t129 = layer_1_x_by_q73 * layer_1_x_by_q73 + layer_1_y_by_q73
             * layer_1_y_by_q73;
-        const double along_10 = t123 + layer_1_z_by_q73 * layer_1_z_by_q73;
-        const double pull_18 = strand_y_18 * per_length_18;
-        const double pull_17 = strand_y_17 * per_length_17;
-        const double pull_16 = strand_y_16 * per_length_16;
-        const double pull_15 = strand_y_15 * per_length_15;
-        const double pull_14 = strand_y_14 * per_length_14;
-        const double pull_13 = strand_y_13 * per_length_13;
-        const double pull_12 = strand_y_12 * per_length_12;
-        const double pull_11 = strand_y_11 * per_length_11;
-        const double pull_10 = strand_y_10 * per_length_10;
-        const double pull_9 = strand_y_9 * per_length_9;
-        const double pull_8 = strand_y_8 * per_length_8;
-        const double pull_7 = strand_y_7 * per_length_7;
-        const double pull_6 = strand_y_6 * per_length_6;
-        const double pull_5 = strand_y_5 * per_length_5;
-        const double pull_4 = strand_y_4 * per_length_4;
-        const double pull_3 = strand_y_3 * per_length_3;
-        const double pull_2 = strand_y_2 * per_length_2;
+        const double along_10 = t129 + layer_1_z_by_q73 * layer_1_z_by_q73;
         const double per_length_0 = f[state] / h[state];
-        const double pull_0 = layer_0_y * per_length_0;
-        const double pull_1 = strand_y_1 * per_length_1;
-        const double t124 = pull_0 + pull_1 + pull_2 + pull_3 + pull_4 + pull_5 + pull_6 + pull_7
-            + pull_8;
-        const double t125 = t124 + pull_9 + pull_10 + pull_11 + pull_12 + pull_13 + pull_14
-            + pull_15;
-        const double pull_y = t125 + pull_16 + pull_17 + pull_18;
-        const double layer_0_y_by_q73_by_q73 = t101 + t97 - 0.011 * u_y_by_q73_by_q73;
-        const double t126 = 0.011 * y_z_by_q71_by_q73;
-        const double layer_0_x_by_q73 = t109 + t106 - t126;
-        const double layer_0_y_by_q73 = t111 + t110 - 0.011 * u_y_by_q73;
-        const double t127 = 0.011 * y_x_by_q71_by_q73;
-        const double layer_0_z_by_q73 = t119 + t116 - t127;
-        const double mixed_8 = t87 * layer_0_y_by_q73 + t112 * layer_0_z_by_q73 + t102
+        const double t130 = layer_0_y * per_length_0 + strand_y_1 * per_length_1 + strand_y_2
+            * per_length_2;
+        const double t131 = t130 + strand_y_3 * per_length_3 + strand_y_4 * per_length_4
+            + strand_y_5 * per_length_5;
+        const double t132 = t131 + strand_y_6 * per_length_6 + strand_y_7 * per_length_7
+            + strand_y_8 * per_length_8;
+        const double t133 = t132 + strand_y_9 * per_length_9 + strand_y_10 * per_length_10
+            + strand_y_11 * per_length_11;
+        const double t134 = t133 + strand_y_12 * per_length_12 + strand_y_13 * per_length_13
+            + strand_y_14 * per_length_14;
+        const double t135 = t134 + strand_y_15 * per_length_15 + strand_y_16 * per_length_16
+            + strand_y_17 * per_length_17;
+        const double pull_y = t135 + strand_y_18 * per_length_18;
+        const double t136 = 0.011 * y_z_by_q71_by_q73;
+        const double layer_0_x_by_q73 = t115 + t112 - t136;
+        const double layer_0_y_by_q73 = t117 + t116 - 0.011 * u_y_by_q73;
+        const double t137 = 0.011 * y_x_by_q71_by_q73;
+        const double layer_0_z_by_q73 = t125 + t122 - t137;
+        const double mixed_8 = t93 * layer_0_y_by_q73 + t118 * layer_0_z_by_q73 + t108
             * layer_0_x_by_q73;
         const double across_37 = kt[37 * n + state] - per_length_37;
         const double across_36 = kt[36 * n + state] - per_length_36;
@@ -5759,25 +4796,25 @@ void hand_wrist_stiffness_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double across_21 = kt[21 * n + state] - per_length_21;
         const double across_19 = kt[19 * n + state] - per_length_19;
         const double across_20 = kt[20 * n + state] - per_length_20;
-        const double t128 = across_19 * P[39 * n + state] * P[39 * n + state] + across_20 * P[41 * n
+        const double t138 = across_19 * P[39 * n + state] * P[39 * n + state] + across_20 * P[41 * n
             + state] * P[41 * n + state];
-        const double t129 = t128 + across_21 * P[43 * n + state] * P[43 * n + state] + across_22
+        const double t139 = t138 + across_21 * P[43 * n + state] * P[43 * n + state] + across_22
             * P[45 * n + state] * P[45 * n + state];
-        const double t130 = t129 + across_23 * P[47 * n + state] * P[47 * n + state] + across_24
+        const double t140 = t139 + across_23 * P[47 * n + state] * P[47 * n + state] + across_24
             * P[49 * n + state] * P[49 * n + state];
-        const double t131 = t130 + across_25 * P[51 * n + state] * P[51 * n + state] + across_26
+        const double t141 = t140 + across_25 * P[51 * n + state] * P[51 * n + state] + across_26
             * P[53 * n + state] * P[53 * n + state];
-        const double t132 = t131 + across_27 * P[55 * n + state] * P[55 * n + state] + across_28
+        const double t142 = t141 + across_27 * P[55 * n + state] * P[55 * n + state] + across_28
             * P[57 * n + state] * P[57 * n + state];
-        const double t133 = t132 + across_29 * P[59 * n + state] * P[59 * n + state] + across_30
+        const double t143 = t142 + across_29 * P[59 * n + state] * P[59 * n + state] + across_30
             * P[61 * n + state] * P[61 * n + state];
-        const double t134 = t133 + across_31 * P[63 * n + state] * P[63 * n + state] + across_32
+        const double t144 = t143 + across_31 * P[63 * n + state] * P[63 * n + state] + across_32
             * P[65 * n + state] * P[65 * n + state];
-        const double t135 = t134 + across_33 * P[67 * n + state] * P[67 * n + state] + across_34
+        const double t145 = t144 + across_33 * P[67 * n + state] * P[67 * n + state] + across_34
             * P[69 * n + state] * P[69 * n + state];
-        const double t136 = t135 + across_35 * P[71 * n + state] * P[71 * n + state] + across_36
+        const double t146 = t145 + across_35 * P[71 * n + state] * P[71 * n + state] + across_36
             * P[73 * n + state] * P[73 * n + state];
-        const double K_of_layer_10 = t136 + across_37 * P[75 * n + state] * P[75 * n + state];
+        const double K_of_layer_10 = t146 + across_37 * P[75 * n + state] * P[75 * n + state];
         const double across_18 = kt[18 * n + state] - per_length_18;
         const double across_17 = kt[17 * n + state] - per_length_17;
         const double across_16 = kt[16 * n + state] - per_length_16;
@@ -5797,171 +4834,161 @@ void hand_wrist_stiffness_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double across_2_2 = kt[2 * n + state] - per_length_2;
         const double across_0 = kt[state] - per_length_0;
         const double across_1 = kt[1 * n + state] - per_length_1;
-        const double t137 = across_0 * P[1 * n + state] * P[1 * n + state] + across_1 * P[3 * n
+        const double t147 = across_0 * P[1 * n + state] * P[1 * n + state] + across_1 * P[3 * n
             + state] * P[3 * n + state];
-        const double t138 = t137 + across_2_2 * P[5 * n + state] * P[5 * n + state] + across_3 * P[7
+        const double t148 = t147 + across_2_2 * P[5 * n + state] * P[5 * n + state] + across_3 * P[7
             * n + state] * P[7 * n + state];
-        const double t139 = t138 + across_4 * P[9 * n + state] * P[9 * n + state] + across_5 * P[11
+        const double t149 = t148 + across_4 * P[9 * n + state] * P[9 * n + state] + across_5 * P[11
             * n + state] * P[11 * n + state];
-        const double t140 = t139 + across_6 * P[13 * n + state] * P[13 * n + state] + across_7
+        const double t150 = t149 + across_6 * P[13 * n + state] * P[13 * n + state] + across_7
             * P[15 * n + state] * P[15 * n + state];
-        const double t141 = t140 + across_8 * P[17 * n + state] * P[17 * n + state] + across_9
+        const double t151 = t150 + across_8 * P[17 * n + state] * P[17 * n + state] + across_9
             * P[19 * n + state] * P[19 * n + state];
-        const double t142 = t141 + across_10 * P[21 * n + state] * P[21 * n + state] + across_11
+        const double t152 = t151 + across_10 * P[21 * n + state] * P[21 * n + state] + across_11
             * P[23 * n + state] * P[23 * n + state];
-        const double t143 = t142 + across_12 * P[25 * n + state] * P[25 * n + state] + across_13
+        const double t153 = t152 + across_12 * P[25 * n + state] * P[25 * n + state] + across_13
             * P[27 * n + state] * P[27 * n + state];
-        const double t144 = t143 + across_14 * P[29 * n + state] * P[29 * n + state] + across_15
+        const double t154 = t153 + across_14 * P[29 * n + state] * P[29 * n + state] + across_15
             * P[31 * n + state] * P[31 * n + state];
-        const double t145 = t144 + across_16 * P[33 * n + state] * P[33 * n + state] + across_17
+        const double t155 = t154 + across_16 * P[33 * n + state] * P[33 * n + state] + across_17
             * P[35 * n + state] * P[35 * n + state];
-        const double K_of_layer_8 = t145 + across_18 * P[37 * n + state] * P[37 * n + state];
+        const double K_of_layer_8 = t155 + across_18 * P[37 * n + state] * P[37 * n + state];
         const double turned_8 = u_y_by_q73 * u_y_by_q73 + y_x_by_q71_by_q73 * y_x_by_q71_by_q73
             + y_z_by_q71_by_q73 * y_z_by_q71_by_q73;
-        const double t146 = per_length_0 + per_length_1 + per_length_2 + per_length_3 + per_length_4
+        const double t156 = per_length_0 + per_length_1 + per_length_2 + per_length_3 + per_length_4
             + per_length_5;
-        const double t147 = t146 + per_length_6 + per_length_7 + per_length_8 + per_length_9
+        const double t157 = t156 + per_length_6 + per_length_7 + per_length_8 + per_length_9
             + per_length_10;
-        const double t148 = t147 + per_length_11 + per_length_12 + per_length_13 + per_length_14
+        const double t158 = t157 + per_length_11 + per_length_12 + per_length_13 + per_length_14
             + per_length_15;
-        const double pull = t148 + per_length_16 + per_length_17 + per_length_18;
-        const double t149 = layer_0_x_by_q73 * layer_0_x_by_q73 + layer_0_y_by_q73
+        const double pull = t158 + per_length_16 + per_length_17 + per_length_18;
+        const double t159 = layer_0_x_by_q73 * layer_0_x_by_q73 + layer_0_y_by_q73
             * layer_0_y_by_q73;
-        const double along_8 = t149 + layer_0_z_by_q73 * layer_0_z_by_q73;
-        const double t150 = turned_8 * t34 + K_of_layer_8 + K_of_layer_10 + pull * along_8 + pull_19
+        const double along_8 = t159 + layer_0_z_by_q73 * layer_0_z_by_q73;
+        const double t160 = turned_8 * t34 + K_of_layer_8 + K_of_layer_10 + pull * along_8 + pull_19
             * mixed_8;
         const double pull_x = y_x * pull_19 - layer_0_x * pull;
         const double z_plane_x_by_q73_by_q73 = u_y * cos_A_by_q73_by_q73 - cos_A * u_y_by_q73_by_q73
-            - t87 * cos_A_by_q73;
+            - t93 * cos_A_by_q73;
         const double z_x_by_q73_by_q73 = cos_q71 * z_plane_x_by_q73_by_q73 - sin_q71
             * sin_A_by_q73_by_q73;
-        const double t151 = 0.01 * z_x_by_q73_by_q73;
-        const double M_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73;
-        const double origin_x_by_q73_by_q73 = M_x_by_q73_by_q73 + 0.018 * z_x_by_q73_by_q73;
+        const double t161 = 0.01 * z_x_by_q73_by_q73;
+        const double origin_x_by_q73_by_q73 = cos_q71 * M_e_by_q73_by_q73 + 0.018
+            * z_x_by_q73_by_q73;
         const double x_plane_x_by_q73_by_q73 = u_y * sin_A_by_q73_by_q73 - sin_A * u_y_by_q73_by_q73
-            - t87 * sin_A_by_q73;
+            - t93 * sin_A_by_q73;
         const double x_x_by_q73_by_q73 = cos_q71 * x_plane_x_by_q73_by_q73 + sin_q71
             * cos_A_by_q73_by_q73;
-        const double t152 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
-        const double layer_0_x_by_q73_by_q73 = t152 - t151 - 0.011 * y_x_by_q73_by_q73;
-        const double t153 = t150 - pull_x * layer_0_x_by_q73_by_q73 + pull_y
-            * layer_0_y_by_q73_by_q73;
+        const double t162 = origin_x_by_q73_by_q73 + 0.004 * x_x_by_q73_by_q73;
+        const double t163 = t160 - pull_x * (t162 - t161 - 0.011 * y_x_by_q73_by_q73) + pull_y
+            * (t107 + t103 - 0.011 * u_y_by_q73_by_q73);
         const double pull_z = y_z * pull_19 - layer_0_z * pull;
         const double z_z_by_q73_by_q73 = cos_q71 * sin_A_by_q73_by_q73 + sin_q71
             * z_plane_x_by_q73_by_q73;
-        const double t154 = 0.01 * z_z_by_q73_by_q73;
-        const double M_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73;
-        const double origin_z_by_q73_by_q73 = M_z_by_q73_by_q73 + 0.018 * z_z_by_q73_by_q73;
+        const double t164 = 0.01 * z_z_by_q73_by_q73;
+        const double origin_z_by_q73_by_q73 = sin_q71 * M_e_by_q73_by_q73 + 0.018
+            * z_z_by_q73_by_q73;
         const double x_z_by_q73_by_q73 = cos_q71 * cos_A_by_q73_by_q73 - sin_q71
             * x_plane_x_by_q73_by_q73;
-        const double t155 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
-        const double layer_0_z_by_q73_by_q73 = t155 - t154 - 0.011 * y_z_by_q73_by_q73;
-        const double t156 = t153 - pull_z * layer_0_z_by_q73_by_q73 + pull_38 * along_10 + pull_40
-            * mixed_10;
+        const double t165 = origin_z_by_q73_by_q73 - 0.004 * x_z_by_q73_by_q73;
+        const double t166 = t163 - pull_z * (t165 - t164 - 0.011 * y_z_by_q73_by_q73) + pull_38
+            * along_10;
         const double pull_x_2 = y_x * pull_40 - layer_1_x * pull_38;
-        const double layer_1_x_by_q73_by_q73 = t152 + t151 - 0.013 * y_x_by_q73_by_q73;
-        const double t157 = t156 - pull_x_2 * layer_1_x_by_q73_by_q73 + pull_y_2
-            * layer_1_y_by_q73_by_q73;
+        const double t167 = t166 + pull_40 * mixed_10 - pull_x_2 * (t162 + t161 - 0.013
+            * y_x_by_q73_by_q73);
         const double pull_z_2 = y_z * pull_40 - layer_1_z * pull_38;
-        const double layer_1_z_by_q73_by_q73 = t155 + t154 - 0.013 * y_z_by_q73_by_q73;
-        const double t158 = t157 - pull_z_2 * layer_1_z_by_q73_by_q73 - pull_axis_x_4
-            * y_x_by_q73_by_q73;
-        const double t159 = t158 + pull_axis_y_4 * u_y_by_q73_by_q73 - pull_axis_z_4
-            * y_z_by_q73_by_q73;
-        const double t160 = p_z + p_z;
+        const double t168 = t167 + pull_y_2 * (t107 - t103 - 0.013 * u_y_by_q73_by_q73) - pull_z_2
+            * (t165 + t164 - 0.013 * y_z_by_q73_by_q73);
+        const double t169 = t168 - pull_axis_x_4 * y_x_by_q73_by_q73 + (pull_axis_y + pull_axis_y_2)
+            * u_y_by_q73_by_q73;
+        const double t170 = p_z + p_z;
         const double p_y_by_q71 = u_y * p_z;
-        const double reach_squared_by_q71 = sinew_choose(t72, -(t73 * p_y_by_q71 + t160
+        const double reach_squared_by_q71 = sinew_choose(t78, -(t79 * p_y_by_q71 + t170
             * p_z_by_q71), 0.0);
-        const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t75;
+        const double reach_by_q71 = 0.5 * reach_squared_by_q71 * t81;
         const double p_x_by_q71 = u_e * p_z;
-        const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t79
+        const double projection_by_q71 = 13.88888888888889 * reach_squared_by_q71 - t85
             * p_x_by_q71;
-        const double limited_by_q71 = sinew_choose(t74, -(reach_by_q71 * t77 - projection_by_q71
-            * t78), reach_by_q71);
-        const double clearance_by_q71 = sinew_choose(t81, t82 * reach_by_q71 - t83 * limited_by_q71,
+        const double limited_by_q71 = sinew_choose(t80, -(reach_by_q71 * t83 - projection_by_q71
+            * t84), reach_by_q71);
+        const double clearance_by_q71 = sinew_choose(t87, t88 * reach_by_q71 - t89 * limited_by_q71,
             1e-12 * reach_squared_by_q71);
-        const double root_by_q71 = 0.5 * clearance_by_q71 * t80;
-        const double t161 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
+        const double root_by_q71 = 0.5 * clearance_by_q71 * t86;
+        const double t171 = p_y * limited_by_q71 + p_z * root_by_q71 - limited * p_y_by_q71 - root
             * p_z_by_q71;
-        const double cos_A_by_q71 = (t161 - cos_A * reach_squared_by_q71) * t14;
+        const double cos_A_by_q71 = (t171 - cos_A * reach_squared_by_q71) * t14;
         const double p_y_by_q71_by_q73 = p_z * u_y_by_q73;
-        const double t162 = p_y_by_q71 + p_y_by_q71;
-        const double reach_squared_by_q71_by_q73 = sinew_choose(t72, t73 * p_y_by_q71_by_q73 - t162
+        const double t172 = p_y_by_q71 + p_y_by_q71;
+        const double reach_squared_by_q71_by_q73 = sinew_choose(t78, t79 * p_y_by_q71_by_q73 - t172
             * p_y_by_q73, 0.0);
-        const double t163 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
-        const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t163) * t75;
-        const double t164 = 27.77777777777778 * p_x_by_q71;
+        const double t173 = (reach_by_q71 + reach_by_q71) * reach_by_q73;
+        const double reach_by_q71_by_q73 = 0.5 * (reach_squared_by_q71_by_q73 - t173) * t81;
+        const double t174 = 27.77777777777778 * p_x_by_q71;
         const double projection_by_q71_by_q73 = 13.88888888888889 * reach_squared_by_q71_by_q73
-            - t79 * p_z * u_e_by_q73 - t164 * p_x_by_q73;
-        const double limited_by_q71_by_q73 = sinew_choose(t74, -(reach_by_q71_by_q73 * t77
-            - projection_by_q71_by_q73 * t78), reach_by_q71_by_q73);
-        const double t165 = limited_by_q71 + limited_by_q71;
-        const double t166 = t82 * reach_by_q71_by_q73 - t83 * limited_by_q71_by_q73 + t163 - t165
+            - t85 * p_z * u_e_by_q73 - t174 * p_x_by_q73;
+        const double limited_by_q71_by_q73 = sinew_choose(t80, -(reach_by_q71_by_q73 * t83
+            - projection_by_q71_by_q73 * t84), reach_by_q71_by_q73);
+        const double t175 = limited_by_q71 + limited_by_q71;
+        const double t176 = t88 * reach_by_q71_by_q73 - t89 * limited_by_q71_by_q73 + t173 - t175
             * limited_by_q73;
-        const double clearance_by_q71_by_q73 = sinew_choose(t81, t166, 1e-12
+        const double clearance_by_q71_by_q73 = sinew_choose(t87, t176, 1e-12
             * reach_squared_by_q71_by_q73);
-        const double t167 = root_by_q71 + root_by_q71;
-        const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t167 * root_by_q73)
-            * t80;
-        const double t168 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
+        const double t177 = root_by_q71 + root_by_q71;
+        const double root_by_q71_by_q73 = 0.5 * (clearance_by_q71_by_q73 - t177 * root_by_q73)
+            * t86;
+        const double t178 = p_y * limited_by_q71_by_q73 + p_z * root_by_q71_by_q73 + limited
             * p_y_by_q71_by_q73;
-        const double t169 = t168 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
+        const double t179 = t178 - cos_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * limited_by_q73
             - p_z_by_q71 * root_by_q73;
-        const double t170 = t169 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
+        const double t180 = t179 - reach_squared_by_q71 * cos_A_by_q73 + limited_by_q71 * p_y_by_q73
             - cos_A_by_q71 * reach_squared_by_q73;
-        const double cos_A_by_q71_by_q73 = t170 * t14;
+        const double cos_A_by_q71_by_q73 = t180 * t14;
         const double z_plane_y_by_q71_by_q73 = u_e * cos_A_by_q71_by_q73 + cos_A_by_q71
             * u_e_by_q73;
-        const double t171 = 0.01 * z_plane_y_by_q71_by_q73;
-        const double origin_y_by_q71_by_q73 = 0.018 * z_plane_y_by_q71_by_q73;
-        const double t172 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
+        const double t181 = 0.01 * z_plane_y_by_q71_by_q73;
+        const double t182 = p_y * root_by_q71 - p_z * limited_by_q71 + limited * p_z_by_q71 - root
             * p_y_by_q71;
-        const double sin_A_by_q71 = (t172 - sin_A * reach_squared_by_q71) * t14;
-        const double t173 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
+        const double sin_A_by_q71 = (t182 - sin_A * reach_squared_by_q71) * t14;
+        const double t183 = p_y * root_by_q71_by_q73 - p_z * limited_by_q71_by_q73 + root
             * p_y_by_q71_by_q73;
-        const double t174 = t173 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
+        const double t184 = t183 - sin_A * reach_squared_by_q71_by_q73 - p_y_by_q71 * root_by_q73
             + p_z_by_q71 * limited_by_q73;
-        const double t175 = t174 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
+        const double t185 = t184 - reach_squared_by_q71 * sin_A_by_q73 + root_by_q71 * p_y_by_q73
             - sin_A_by_q71 * reach_squared_by_q73;
-        const double sin_A_by_q71_by_q73 = t175 * t14;
+        const double sin_A_by_q71_by_q73 = t185 * t14;
         const double x_plane_y_by_q71_by_q73 = u_e * sin_A_by_q71_by_q73 + sin_A_by_q71
             * u_e_by_q73;
-        const double t176 = origin_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
-        const double layer_1_y_by_q71_by_q73 = t176 + t171;
+        const double t186 = 0.018 * z_plane_y_by_q71_by_q73 + 0.004 * x_plane_y_by_q71_by_q73;
         const double z_plane_x_by_q71 = u_y * cos_A_by_q71;
         const double z_x_by_q71 = t19 - cos_q71 * z_plane_x_by_q71 + t21 + sin_q71 * sin_A_by_q71;
-        const double t177 = 0.01 * z_x_by_q71;
+        const double t187 = 0.01 * z_x_by_q71;
         const double x_plane_x_by_q71 = u_y * sin_A_by_q71;
         const double x_x_by_q71 = t23 + cos_q71 * x_plane_x_by_q71 - t24 + sin_q71 * cos_A_by_q71;
-        const double origin_x_by_q71 = M_z - 0.018 * z_x_by_q71;
-        const double t178 = origin_x_by_q71 + 0.004 * x_x_by_q71;
-        const double layer_1_x_by_q71 = t178 - t177 - t7;
-        const double z_z_by_q71 = t63 + cos_q71 * sin_A_by_q71 - t62 + sin_q71 * z_plane_x_by_q71;
-        const double t179 = 0.01 * z_z_by_q71;
-        const double x_z_by_q71 = t66 - cos_q71 * cos_A_by_q71 + t65 + sin_q71 * x_plane_x_by_q71;
-        const double origin_z_by_q71 = M_x - 0.018 * z_z_by_q71;
-        const double t180 = origin_z_by_q71 - 0.004 * x_z_by_q71;
-        const double layer_1_z_by_q71 = t180 - t179 - t61;
+        const double t188 = M_z - 0.018 * z_x_by_q71 + 0.004 * x_x_by_q71;
+        const double layer_1_x_by_q71 = t188 - t187 - t7;
+        const double z_z_by_q71 = t65 + cos_q71 * sin_A_by_q71 - t64 + sin_q71 * z_plane_x_by_q71;
+        const double t189 = 0.01 * z_z_by_q71;
+        const double x_z_by_q71 = t68 - cos_q71 * cos_A_by_q71 + t67 + sin_q71 * x_plane_x_by_q71;
+        const double t190 = M_x - 0.018 * z_z_by_q71 - 0.004 * x_z_by_q71;
+        const double layer_1_z_by_q71 = t190 - t189 - t63;
         const double z_plane_y_by_q71 = u_e * cos_A_by_q71;
-        const double t181 = 0.01 * z_plane_y_by_q71;
-        const double origin_y_by_q71 = 0.018 * z_plane_y_by_q71;
-        const double t182 = 0.004 * u_e;
-        const double t183 = origin_y_by_q71 + t182 * sin_A_by_q71;
-        const double layer_1_y_by_q71 = t183 + t181;
-        const double t184 = y_x * layer_1_z_by_q73 - y_z * layer_1_x_by_q73 - u_y_by_q73
+        const double t191 = 0.01 * z_plane_y_by_q71;
+        const double t192 = 0.004 * u_e;
+        const double t193 = 0.018 * z_plane_y_by_q71 + t192 * sin_A_by_q71;
+        const double layer_1_y_by_q71 = t193 + t191;
+        const double t194 = y_x * layer_1_z_by_q73 - y_z * layer_1_x_by_q73 - u_y_by_q73
             * layer_1_y_by_q71;
-        const double mixed_2 = t184 + y_x_by_q71_by_q73 * layer_1_z_by_q71 - y_z_by_q71_by_q73
+        const double mixed_2 = t194 + y_x_by_q71_by_q73 * layer_1_z_by_q71 - y_z_by_q71_by_q73
             * layer_1_x_by_q71;
-        const double t185 = layer_1_x_by_q71 * layer_1_x_by_q73 + layer_1_y_by_q71
+        const double t195 = layer_1_x_by_q71 * layer_1_x_by_q73 + layer_1_y_by_q71
             * layer_1_y_by_q73;
-        const double along_2 = t185 - layer_1_z_by_q71 * layer_1_z_by_q73;
-        const double layer_0_y_by_q71_by_q73 = t176 - t171;
-        const double layer_0_z_by_q71 = t180 + t179 - t68;
-        const double layer_0_y_by_q71 = t183 - t181;
-        const double layer_0_x_by_q71 = t178 + t177 - t38;
-        const double t186 = y_x * layer_0_z_by_q73 - y_z * layer_0_x_by_q73 - layer_0_x_by_q71
+        const double along_2 = t195 - layer_1_z_by_q71 * layer_1_z_by_q73;
+        const double layer_0_z_by_q71 = t190 + t189 - t70;
+        const double layer_0_y_by_q71 = t193 - t191;
+        const double layer_0_x_by_q71 = t188 + t187 - t38;
+        const double t196 = y_x * layer_0_z_by_q73 - y_z * layer_0_x_by_q73 - layer_0_x_by_q71
             * y_z_by_q71_by_q73;
-        const double mixed = t186 - layer_0_y_by_q71 * u_y_by_q73 + layer_0_z_by_q71
+        const double mixed = t196 - layer_0_y_by_q71 * u_y_by_q73 + layer_0_z_by_q71
             * y_x_by_q71_by_q73;
         const double K_37 = P[74 * n + state] * P[75 * n + state] * across_37;
         const double K_36 = P[72 * n + state] * P[73 * n + state] * across_36;
@@ -5982,9 +5009,9 @@ void hand_wrist_stiffness_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double K_21 = P[42 * n + state] * P[43 * n + state] * across_21;
         const double K_19 = P[38 * n + state] * P[39 * n + state] * across_19;
         const double K_20 = P[40 * n + state] * P[41 * n + state] * across_20;
-        const double t187 = K_19 + K_20 + K_21 + K_22 + K_23 + K_24 + K_25 + K_26 + K_27 + K_28
+        const double t197 = K_19 + K_20 + K_21 + K_22 + K_23 + K_24 + K_25 + K_26 + K_27 + K_28
             + K_29;
-        const double K_of_layer_2 = t187 + K_30 + K_31 + K_32 + K_33 + K_34 + K_35 + K_36 + K_37;
+        const double K_of_layer_2 = t197 + K_30 + K_31 + K_32 + K_33 + K_34 + K_35 + K_36 + K_37;
         const double K_18 = P[36 * n + state] * P[37 * n + state] * across_18;
         const double K_17 = P[34 * n + state] * P[35 * n + state] * across_17;
         const double K_16 = P[32 * n + state] * P[33 * n + state] * across_16;
@@ -6002,172 +5029,154 @@ void hand_wrist_stiffness_batch(int count, const double *SINEW_RESTRICT q_wrist,
         const double K_4 = P[8 * n + state] * P[9 * n + state] * across_4;
         const double K_3 = P[6 * n + state] * P[7 * n + state] * across_3;
         const double K_2 = P[4 * n + state] * P[5 * n + state] * across_2_2;
-        const double K_0 = P[state] * P[1 * n + state] * across_0;
         const double K_1 = P[2 * n + state] * P[3 * n + state] * across_1;
-        const double t188 = K_0 + K_1 + K_2 + K_3 + K_4 + K_5 + K_6 + K_7 + K_8 + K_9 + K_10 + K_11
-            + K_12;
-        const double K_of_layer = t188 + K_13 + K_14 + K_15 + K_16 + K_17 + K_18;
+        const double t198 = P[state] * P[1 * n + state] * across_0 + K_1 + K_2 + K_3 + K_4 + K_5
+            + K_6;
+        const double t199 = t198 + K_7 + K_8 + K_9 + K_10 + K_11 + K_12 + K_13 + K_14 + K_15 + K_16
+            + K_17;
         const double turned = y_x * y_x_by_q71_by_q73 - y_z * y_z_by_q71_by_q73;
-        const double t189 = layer_0_x_by_q71 * layer_0_x_by_q73 + layer_0_y_by_q71
+        const double t200 = layer_0_x_by_q71 * layer_0_x_by_q73 + layer_0_y_by_q71
             * layer_0_y_by_q73;
-        const double along = t189 - layer_0_z_by_q71 * layer_0_z_by_q73;
-        const double t190 = turned * t34 + K_of_layer + K_of_layer_2 - pull * along + pull_19
+        const double along = t200 - layer_0_z_by_q71 * layer_0_z_by_q73;
+        const double t201 = turned * t34 + (t199 + K_18) + K_of_layer_2 - pull * along + pull_19
             * mixed;
         const double z_plane_x_by_q71_by_q73 = u_y * cos_A_by_q71_by_q73 - cos_A_by_q71
             * u_y_by_q73;
-        const double z_x_by_q71_by_q73 = t114 - cos_q71 * z_plane_x_by_q71_by_q73 + sin_q71
-            * sin_A_by_q71_by_q73 + t115;
-        const double t191 = 0.01 * z_x_by_q71_by_q73;
+        const double z_x_by_q71_by_q73 = t120 - cos_q71 * z_plane_x_by_q71_by_q73 + sin_q71
+            * sin_A_by_q71_by_q73 + t121;
+        const double t202 = 0.01 * z_x_by_q71_by_q73;
         const double x_plane_x_by_q71_by_q73 = u_y * sin_A_by_q71_by_q73 - sin_A_by_q71
             * u_y_by_q73;
-        const double x_x_by_q71_by_q73 = t117 + cos_q71 * x_plane_x_by_q71_by_q73 - t118 + sin_q71
+        const double x_x_by_q71_by_q73 = t123 + cos_q71 * x_plane_x_by_q71_by_q73 - t124 + sin_q71
             * cos_A_by_q71_by_q73;
         const double origin_x_by_q71_by_q73 = M_x_by_q71_by_q73 - 0.018 * z_x_by_q71_by_q73;
-        const double t192 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
-        const double layer_0_x_by_q71_by_q73 = t192 + t191 - t127;
-        const double t193 = t190 - pull_x * layer_0_x_by_q71_by_q73 - pull_y
-            * layer_0_y_by_q71_by_q73;
-        const double z_z_by_q71_by_q73 = cos_q71 * sin_A_by_q71_by_q73 + t105 - t104 + sin_q71
+        const double t203 = origin_x_by_q71_by_q73 + 0.004 * x_x_by_q71_by_q73;
+        const double z_z_by_q71_by_q73 = cos_q71 * sin_A_by_q71_by_q73 + t111 - t110 + sin_q71
             * z_plane_x_by_q71_by_q73;
-        const double t194 = 0.01 * z_z_by_q71_by_q73;
-        const double x_z_by_q71_by_q73 = t108 - cos_q71 * cos_A_by_q71_by_q73 + t107 + sin_q71
+        const double t204 = 0.01 * z_z_by_q71_by_q73;
+        const double x_z_by_q71_by_q73 = t114 - cos_q71 * cos_A_by_q71_by_q73 + t113 + sin_q71
             * x_plane_x_by_q71_by_q73;
         const double origin_z_by_q71_by_q73 = M_z_by_q71_by_q73 - 0.018 * z_z_by_q71_by_q73;
-        const double t195 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
-        const double layer_0_z_by_q71_by_q73 = t195 + t194 - t126;
-        const double t196 = t193 + pull_z * layer_0_z_by_q71_by_q73 - pull_38 * along_2 + pull_40
-            * mixed_2;
-        const double layer_1_x_by_q71_by_q73 = t192 - t191 - t113;
-        const double t197 = t196 - pull_x_2 * layer_1_x_by_q71_by_q73 - pull_y_2
-            * layer_1_y_by_q71_by_q73;
-        const double layer_1_z_by_q71_by_q73 = t195 - t194 - t103;
-        const double t198 = t197 + pull_z_2 * layer_1_z_by_q71_by_q73 - y_x_by_q71_by_q73
-            * pull_axis_x_4;
-        const double K_01 = t198 + y_z_by_q71_by_q73 * pull_axis_z_4;
-        const double t199 = reach_squared_by_q71 + reach_squared_by_q71;
-        const double t200 = p_z_by_q71 + p_z_by_q71;
-        const double t201 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
+        const double t205 = origin_z_by_q71_by_q73 - 0.004 * x_z_by_q71_by_q73;
+        const double t206 = t201 - pull_x * (t203 + t202 - t137) - pull_y * (t186 - t181) + pull_z
+            * (t205 + t204 - t136);
+        const double t207 = t206 - pull_38 * along_2 + pull_40 * mixed_2 - pull_x_2 * (t203 - t202
+            - t119);
+        const double t208 = t207 - pull_y_2 * (t186 + t181) + pull_z_2 * (t205 - t204 - t109)
+            - y_x_by_q71_by_q73 * pull_axis_x_4;
+        const double K_01 = t208 + y_z_by_q71_by_q73 * pull_axis_z_4;
+        const double t209 = reach_squared_by_q71 + reach_squared_by_q71;
+        const double t210 = p_z_by_q71 + p_z_by_q71;
+        const double t211 = p_y_by_q71 * p_y_by_q71 + p_z_by_q71 * p_z_by_q71;
         const double p_y_by_q71_by_q71 = u_y * p_z_by_q71;
-        const double reach_squared_by_q71_by_q71 = sinew_choose(t72, t201 + t201 + t73
-            * p_y_by_q71_by_q71 - t160 * p_z, 0.0);
-        const double t202 = reach_by_q71 * reach_by_q71;
-        const double t203 = t202 + t202;
-        const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t203) * t75;
+        const double reach_squared_by_q71_by_q71 = sinew_choose(t78, t211 + t211 + t79
+            * p_y_by_q71_by_q71 - t170 * p_z, 0.0);
+        const double t212 = reach_by_q71 * reach_by_q71;
+        const double t213 = t212 + t212;
+        const double reach_by_q71_by_q71 = 0.5 * (reach_squared_by_q71_by_q71 - t213) * t81;
         const double projection_by_q71_by_q71 = 13.88888888888889 * reach_squared_by_q71_by_q71
-            + t164 * p_x_by_q71 + t79 * u_e * p_z_by_q71;
-        const double limited_by_q71_by_q71 = sinew_choose(t74, -(reach_by_q71_by_q71 * t77
-            - projection_by_q71_by_q71 * t78), reach_by_q71_by_q71);
-        const double t204 = t203 - t165 * limited_by_q71 + t82 * reach_by_q71_by_q71 - t83
+            + t174 * p_x_by_q71 + t85 * u_e * p_z_by_q71;
+        const double limited_by_q71_by_q71 = sinew_choose(t80, -(reach_by_q71_by_q71 * t83
+            - projection_by_q71_by_q71 * t84), reach_by_q71_by_q71);
+        const double t214 = t213 - t175 * limited_by_q71 + t88 * reach_by_q71_by_q71 - t89
             * limited_by_q71_by_q71;
-        const double clearance_by_q71_by_q71 = sinew_choose(t81, t204, 1e-12
+        const double clearance_by_q71_by_q71 = sinew_choose(t87, t214, 1e-12
             * reach_squared_by_q71_by_q71);
-        const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t167 * root_by_q71)
-            * t80;
-        const double t205 = p_y * limited_by_q71_by_q71 - t20 + p_z * root_by_q71_by_q71 + limited
+        const double root_by_q71_by_q71 = 0.5 * (clearance_by_q71_by_q71 - t177 * root_by_q71)
+            * t86;
+        const double t215 = p_y * limited_by_q71_by_q71 - t20 + p_z * root_by_q71_by_q71 + limited
             * p_y_by_q71_by_q71;
-        const double t206 = t205 - cos_A * reach_squared_by_q71_by_q71 - t162 * limited_by_q71
-            - t200 * root_by_q71;
-        const double cos_A_by_q71_by_q71 = (t206 - t199 * cos_A_by_q71) * t14;
+        const double t216 = t215 - cos_A * reach_squared_by_q71_by_q71 - t172 * limited_by_q71
+            - t210 * root_by_q71;
+        const double cos_A_by_q71_by_q71 = (t216 - t209 * cos_A_by_q71) * t14;
         const double z_plane_y_by_q71_by_q71 = u_e * cos_A_by_q71_by_q71;
-        const double t207 = 0.01 * z_plane_y_by_q71_by_q71;
-        const double origin_y_by_q71_by_q71 = 0.018 * z_plane_y_by_q71_by_q71;
-        const double t208 = p_y * root_by_q71_by_q71 + t16 - p_z * limited_by_q71_by_q71 + root
+        const double t217 = 0.01 * z_plane_y_by_q71_by_q71;
+        const double t218 = p_y * root_by_q71_by_q71 + t16 - p_z * limited_by_q71_by_q71 + root
             * p_y_by_q71_by_q71;
-        const double t209 = t208 - sin_A * reach_squared_by_q71_by_q71 - t162 * root_by_q71 + t200
+        const double t219 = t218 - sin_A * reach_squared_by_q71_by_q71 - t172 * root_by_q71 + t210
             * limited_by_q71;
-        const double sin_A_by_q71_by_q71 = (t209 - t199 * sin_A_by_q71) * t14;
-        const double t210 = origin_y_by_q71_by_q71 + t182 * sin_A_by_q71_by_q71;
-        const double layer_1_y_by_q71_by_q71 = t210 + t207;
-        const double t211 = y_x + y_x;
-        const double t212 = y_z + y_z;
-        const double mixed_6 = t211 * layer_1_z_by_q71 + t212 * layer_1_x_by_q71;
-        const double t213 = layer_1_x_by_q71 * layer_1_x_by_q71 + layer_1_y_by_q71
+        const double sin_A_by_q71_by_q71 = (t219 - t209 * sin_A_by_q71) * t14;
+        const double t220 = 0.018 * z_plane_y_by_q71_by_q71 + t192 * sin_A_by_q71_by_q71;
+        const double t221 = y_x + y_x;
+        const double t222 = y_z + y_z;
+        const double mixed_6 = t221 * layer_1_z_by_q71 + t222 * layer_1_x_by_q71;
+        const double t223 = layer_1_x_by_q71 * layer_1_x_by_q71 + layer_1_y_by_q71
             * layer_1_y_by_q71;
-        const double along_6 = t213 + layer_1_z_by_q71 * layer_1_z_by_q71;
-        const double layer_0_y_by_q71_by_q71 = t210 - t207;
-        const double mixed_4 = t211 * layer_0_z_by_q71 + t212 * layer_0_x_by_q71;
-        const double t214 = across_19 * P[38 * n + state] * P[38 * n + state] + across_20 * P[40 * n
+        const double along_6 = t223 + layer_1_z_by_q71 * layer_1_z_by_q71;
+        const double mixed_4 = t221 * layer_0_z_by_q71 + t222 * layer_0_x_by_q71;
+        const double t224 = across_19 * P[38 * n + state] * P[38 * n + state] + across_20 * P[40 * n
             + state] * P[40 * n + state];
-        const double t215 = t214 + across_21 * P[42 * n + state] * P[42 * n + state] + across_22
+        const double t225 = t224 + across_21 * P[42 * n + state] * P[42 * n + state] + across_22
             * P[44 * n + state] * P[44 * n + state];
-        const double t216 = t215 + across_23 * P[46 * n + state] * P[46 * n + state] + across_24
+        const double t226 = t225 + across_23 * P[46 * n + state] * P[46 * n + state] + across_24
             * P[48 * n + state] * P[48 * n + state];
-        const double t217 = t216 + across_25 * P[50 * n + state] * P[50 * n + state] + across_26
+        const double t227 = t226 + across_25 * P[50 * n + state] * P[50 * n + state] + across_26
             * P[52 * n + state] * P[52 * n + state];
-        const double t218 = t217 + across_27 * P[54 * n + state] * P[54 * n + state] + across_28
+        const double t228 = t227 + across_27 * P[54 * n + state] * P[54 * n + state] + across_28
             * P[56 * n + state] * P[56 * n + state];
-        const double t219 = t218 + across_29 * P[58 * n + state] * P[58 * n + state] + across_30
+        const double t229 = t228 + across_29 * P[58 * n + state] * P[58 * n + state] + across_30
             * P[60 * n + state] * P[60 * n + state];
-        const double t220 = t219 + across_31 * P[62 * n + state] * P[62 * n + state] + across_32
+        const double t230 = t229 + across_31 * P[62 * n + state] * P[62 * n + state] + across_32
             * P[64 * n + state] * P[64 * n + state];
-        const double t221 = t220 + across_33 * P[66 * n + state] * P[66 * n + state] + across_34
+        const double t231 = t230 + across_33 * P[66 * n + state] * P[66 * n + state] + across_34
             * P[68 * n + state] * P[68 * n + state];
-        const double t222 = t221 + across_35 * P[70 * n + state] * P[70 * n + state] + across_36
+        const double t232 = t231 + across_35 * P[70 * n + state] * P[70 * n + state] + across_36
             * P[72 * n + state] * P[72 * n + state];
-        const double K_of_layer_6 = t222 + across_37 * P[74 * n + state] * P[74 * n + state];
-        const double t223 = across_0 * P[state] * P[state] + across_1 * P[2 * n + state] * P[2 * n
+        const double K_of_layer_6 = t232 + across_37 * P[74 * n + state] * P[74 * n + state];
+        const double t233 = across_0 * P[state] * P[state] + across_1 * P[2 * n + state] * P[2 * n
             + state];
-        const double t224 = t223 + across_2_2 * P[4 * n + state] * P[4 * n + state] + across_3 * P[6
+        const double t234 = t233 + across_2_2 * P[4 * n + state] * P[4 * n + state] + across_3 * P[6
             * n + state] * P[6 * n + state];
-        const double t225 = t224 + across_4 * P[8 * n + state] * P[8 * n + state] + across_5 * P[10
+        const double t235 = t234 + across_4 * P[8 * n + state] * P[8 * n + state] + across_5 * P[10
             * n + state] * P[10 * n + state];
-        const double t226 = t225 + across_6 * P[12 * n + state] * P[12 * n + state] + across_7
+        const double t236 = t235 + across_6 * P[12 * n + state] * P[12 * n + state] + across_7
             * P[14 * n + state] * P[14 * n + state];
-        const double t227 = t226 + across_8 * P[16 * n + state] * P[16 * n + state] + across_9
+        const double t237 = t236 + across_8 * P[16 * n + state] * P[16 * n + state] + across_9
             * P[18 * n + state] * P[18 * n + state];
-        const double t228 = t227 + across_10 * P[20 * n + state] * P[20 * n + state] + across_11
+        const double t238 = t237 + across_10 * P[20 * n + state] * P[20 * n + state] + across_11
             * P[22 * n + state] * P[22 * n + state];
-        const double t229 = t228 + across_12 * P[24 * n + state] * P[24 * n + state] + across_13
+        const double t239 = t238 + across_12 * P[24 * n + state] * P[24 * n + state] + across_13
             * P[26 * n + state] * P[26 * n + state];
-        const double t230 = t229 + across_14 * P[28 * n + state] * P[28 * n + state] + across_15
+        const double t240 = t239 + across_14 * P[28 * n + state] * P[28 * n + state] + across_15
             * P[30 * n + state] * P[30 * n + state];
-        const double t231 = t230 + across_16 * P[32 * n + state] * P[32 * n + state] + across_17
+        const double t241 = t240 + across_16 * P[32 * n + state] * P[32 * n + state] + across_17
             * P[34 * n + state] * P[34 * n + state];
-        const double K_of_layer_4 = t231 + across_18 * P[36 * n + state] * P[36 * n + state];
-        const double turned_4 = y_x * y_x + y_z * y_z;
-        const double t232 = turned_4 * t34 + K_of_layer_4 + K_of_layer_6 - y_x * pull_axis_x_4 - y_z
-            * pull_axis_z_4;
-        const double t233 = layer_0_x_by_q71 * layer_0_x_by_q71 + layer_0_y_by_q71
+        const double K_of_layer_4 = t241 + across_18 * P[36 * n + state] * P[36 * n + state];
+        const double t242 = (y_x * y_x + y_z * y_z) * t34 + K_of_layer_4 + K_of_layer_6 - y_x
+            * pull_axis_x_4;
+        const double t243 = layer_0_x_by_q71 * layer_0_x_by_q71 + layer_0_y_by_q71
             * layer_0_y_by_q71;
-        const double along_4 = t233 + layer_0_z_by_q71 * layer_0_z_by_q71;
-        const double t234 = sin_q71 + sin_q71;
-        const double t235 = cos_q71 + cos_q71;
+        const double along_4 = t243 + layer_0_z_by_q71 * layer_0_z_by_q71;
+        const double t244 = sin_q71 + sin_q71;
+        const double t245 = cos_q71 + cos_q71;
         const double z_plane_x_by_q71_by_q71 = u_y * cos_A_by_q71_by_q71;
-        const double t236 = t63 - cos_q71 * z_plane_x_by_q71_by_q71 - t62 + sin_q71
+        const double t246 = t65 - cos_q71 * z_plane_x_by_q71_by_q71 - t64 + sin_q71
             * sin_A_by_q71_by_q71;
-        const double z_x_by_q71_by_q71 = t236 + t235 * sin_A_by_q71 + t234 * z_plane_x_by_q71;
-        const double t237 = 0.01 * z_x_by_q71_by_q71;
+        const double z_x_by_q71_by_q71 = t246 + t245 * sin_A_by_q71 + t244 * z_plane_x_by_q71;
+        const double t247 = 0.01 * z_x_by_q71_by_q71;
         const double x_plane_x_by_q71_by_q71 = u_y * sin_A_by_q71_by_q71;
-        const double t238 = t66 - cos_q71 * x_plane_x_by_q71_by_q71 + t65 - sin_q71
+        const double t248 = t68 - cos_q71 * x_plane_x_by_q71_by_q71 + t67 - sin_q71
             * cos_A_by_q71_by_q71;
-        const double x_x_by_q71_by_q71 = t238 - t235 * cos_A_by_q71 + t234 * x_plane_x_by_q71;
-        const double origin_x_by_q71_by_q71 = M_x - 0.018 * z_x_by_q71_by_q71;
-        const double t239 = origin_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
-        const double layer_0_x_by_q71_by_q71 = t239 + t237 - t68;
-        const double t240 = t232 + pull * along_4 + pull_19 * mixed_4 - pull_x
-            * layer_0_x_by_q71_by_q71;
-        const double t241 = t19 - cos_q71 * sin_A_by_q71_by_q71 + t21 - sin_q71
+        const double x_x_by_q71_by_q71 = t248 - t245 * cos_A_by_q71 + t244 * x_plane_x_by_q71;
+        const double t249 = M_x - 0.018 * z_x_by_q71_by_q71 - 0.004 * x_x_by_q71_by_q71;
+        const double t250 = t242 - y_z * pull_axis_z_4 + pull * along_4 + pull_19 * mixed_4 - pull_x
+            * (t249 + t247 - t70);
+        const double t251 = t19 - cos_q71 * sin_A_by_q71_by_q71 + t21 - sin_q71
             * z_plane_x_by_q71_by_q71;
-        const double z_z_by_q71_by_q71 = t241 - t235 * z_plane_x_by_q71 + t234 * sin_A_by_q71;
-        const double t242 = 0.01 * z_z_by_q71_by_q71;
-        const double t243 = t23 - cos_q71 * cos_A_by_q71_by_q71 - t24 + sin_q71
+        const double z_z_by_q71_by_q71 = t251 - t245 * z_plane_x_by_q71 + t244 * sin_A_by_q71;
+        const double t252 = 0.01 * z_z_by_q71_by_q71;
+        const double t253 = t23 - cos_q71 * cos_A_by_q71_by_q71 - t24 + sin_q71
             * x_plane_x_by_q71_by_q71;
-        const double x_z_by_q71_by_q71 = t243 + t235 * x_plane_x_by_q71 + t234 * cos_A_by_q71;
-        const double origin_z_by_q71_by_q71 = M_z - 0.018 * z_z_by_q71_by_q71;
-        const double t244 = origin_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
-        const double layer_0_z_by_q71_by_q71 = t244 + t242 - t38;
-        const double t245 = t240 - pull_y * layer_0_y_by_q71_by_q71 - pull_z
-            * layer_0_z_by_q71_by_q71;
-        const double layer_1_x_by_q71_by_q71 = t239 - t237 - t61;
-        const double t246 = t245 + pull_38 * along_6 + pull_40 * mixed_6 - pull_x_2
-            * layer_1_x_by_q71_by_q71;
-        const double layer_1_z_by_q71_by_q71 = t244 - t242 - t7;
-        const double t247 = t246 - pull_y_2 * layer_1_y_by_q71_by_q71 - pull_z_2
-            * layer_1_z_by_q71_by_q71;
-        K_wrist[state] = t247;
+        const double x_z_by_q71_by_q71 = t253 + t245 * x_plane_x_by_q71 + t244 * cos_A_by_q71;
+        const double t254 = M_z - 0.018 * z_z_by_q71_by_q71 + 0.004 * x_z_by_q71_by_q71;
+        const double t255 = t250 - pull_y * (t220 - t217) - pull_z * (t254 + t252 - t38) + pull_38
+            * along_6;
+        const double t256 = t255 + pull_40 * mixed_6 - pull_x_2 * (t249 - t247 - t63) - pull_y_2
+            * (t220 + t217);
+        K_wrist[state] = t256 - pull_z_2 * (t254 - t252 - t7);
         K_wrist[1 * n + state] = K_01;
         K_wrist[2 * n + state] = K_01;
-        K_wrist[3 * n + state] = t159;
+        K_wrist[3 * n + state] = t169 - pull_axis_z_4 * y_z_by_q73_by_q73;
     }
 }
 
@@ -6182,12 +5191,9 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
         sinew_sincos(q[state], &s1, &c1);
         double s2, c2;
         sinew_sincos(q[1 * n + state], &s2, &c2);
-        const double w7_3 = 0.0065 * kt[6 * n + state];
-        const double w8_3 = 0.0065 * kt[7 * n + state];
-        const double t1 = w7_3 + w8_3;
+        const double t1 = 0.0065 * kt[6 * n + state] + 0.0065 * kt[7 * n + state];
         const double K3_3 = 4.225e-05 * (kt[4 * n + state] + kt[5 * n + state]) + 0.0065 * t1;
-        const double K3_4 = 0.0055 * t1;
-        const double t2 = -K3_4;
+        const double t2 = -(0.0055 * t1);
         const double t3 = P[8 * n + state] * kt[4 * n + state] - P[10 * n + state] * kt[5 * n
             + state];
         const double t4 = P[12 * n + state] * kt[6 * n + state];
@@ -6219,13 +5225,10 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
         const double K_wrist_18 = t17 + t18 - t19 - t20;
         const double K_wrist_20 = t13 - t14 + t15 - t16;
         const double K_wrist_22 = t17 - t18 + t19 - t20;
-        const double w7_3_2 = 0.0055 * kt[14 * n + state];
-        const double w8_3_2 = 0.0055 * kt[15 * n + state];
-        const double t21 = w7_3_2 + w8_3_2;
+        const double t21 = 0.0055 * kt[14 * n + state] + 0.0055 * kt[15 * n + state];
         const double K3_3_2 = 3.0249999999999997e-05 * (kt[12 * n + state] + kt[13 * n + state])
             + 0.0055 * t21;
-        const double K3_4_2 = 0.0045 * t21;
-        const double t22 = -K3_4_2;
+        const double t22 = -(0.0045 * t21);
         const double t23 = P[24 * n + state] * kt[12 * n + state] - P[26 * n + state] * kt[13 * n
             + state];
         const double t24 = P[28 * n + state] * kt[14 * n + state];
@@ -6237,10 +5240,8 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
         const double t28 = P[31 * n + state] * kt[15 * n + state];
         const double K_wrist_26 = 0.0055 * (t26 + t27 - t28);
         const double K4_4_2 = 2.0249999999999998e-05 * (kt[14 * n + state] + kt[15 * n + state]);
-        const double K_wrist_28 = 0.0045 * (t24 - t25);
-        const double t29 = -K_wrist_28;
-        const double K_wrist_30 = 0.0045 * (t27 - t28);
-        const double t30 = -K_wrist_30;
+        const double t29 = -(0.0045 * (t24 - t25));
+        const double t30 = -(0.0045 * (t27 - t28));
         const double t31 = 4.225e-05 * kt[16 * n + state];
         const double t32 = 4.225e-05 * kt[17 * n + state];
         const double t33 = 4.225e-05 * kt[18 * n + state];
@@ -6259,13 +5260,10 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
         const double K_wrist_34 = t39 + t40 - t41 - t42;
         const double K_wrist_36 = t35 - t36 + t37 - t38;
         const double K_wrist_38 = t39 - t40 + t41 - t42;
-        const double w7_3_4 = 0.0055 * kt[22 * n + state];
-        const double w8_3_4 = 0.0055 * kt[23 * n + state];
-        const double t43 = w7_3_4 + w8_3_4;
+        const double t43 = 0.0055 * kt[22 * n + state] + 0.0055 * kt[23 * n + state];
         const double K3_3_4 = 3.0249999999999997e-05 * (kt[20 * n + state] + kt[21 * n + state])
             + 0.0055 * t43;
-        const double K3_4_4 = 0.0045 * t43;
-        const double t44 = -K3_4_4;
+        const double t44 = -(0.0045 * t43);
         const double t45 = P[40 * n + state] * kt[20 * n + state] - P[42 * n + state] * kt[21 * n
             + state];
         const double t46 = P[44 * n + state] * kt[22 * n + state];
@@ -6277,10 +5275,8 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
         const double t50 = P[47 * n + state] * kt[23 * n + state];
         const double K_wrist_42 = 0.0055 * (t48 + t49 - t50);
         const double K4_4_4 = 2.0249999999999998e-05 * (kt[22 * n + state] + kt[23 * n + state]);
-        const double K_wrist_44 = 0.0045 * (t46 - t47);
-        const double t51 = -K_wrist_44;
-        const double K_wrist_46 = 0.0045 * (t49 - t50);
-        const double t52 = -K_wrist_46;
+        const double t51 = -(0.0045 * (t46 - t47));
+        const double t52 = -(0.0045 * (t49 - t50));
         const double t53 = 4.225e-05 * kt[24 * n + state];
         const double t54 = 4.225e-05 * kt[25 * n + state];
         const double t55 = 4.225e-05 * kt[26 * n + state];
@@ -6365,7 +5361,6 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
             * t94;
         const double t97 = pA_length_toy * t95 + pA_length_tox * t96 - A_length_by_q_0
             * A_length_by_q_0;
-        const double A_length_by_q_0_2_by_q_0 = t97 * t94;
         const double pB_length_toz = t83 + t84;
         const double B_lengthdz = 0.025 - pB_length_toz;
         const double t98 = B_lengthdz * B_lengthdz;
@@ -6383,58 +5378,51 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
             * t101;
         const double t104 = pB_length_toy * t102 + pB_length_tox * t103 + B_length_by_q_0
             * B_length_by_q_0;
-        const double B_length_by_q_0_2_by_q_0 = t104 * t101;
-        const double t105 = f[state] * A_length_by_q_0_2_by_q_0 - f[1 * n + state]
-            * B_length_by_q_0_2_by_q_0;
-        const double t106 = 0.005 * R22x;
-        const double t107 = 0.047 * R22y;
-        const double pA_length_toy_by_q_1 = t106 - t107;
-        const double t108 = 0.005 * R21x;
-        const double t109 = 0.047 * R21y;
-        const double pA_length_tox_by_q_1 = t108 - t109;
-        const double t110 = 0.005 * s2;
-        const double t111 = 0.047 * c2;
-        const double pA_length_toz_by_q_1 = t110 + t111;
-        const double t112 = A_lengthdz * pA_length_toz_by_q_1;
-        const double t113 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
-            - t112;
-        const double A_length_by_q_1 = t113 * t94;
-        const double t114 = pA_length_toy_by_q_1 * t96 - pA_length_tox_by_q_1 * t95
+        const double t105 = 0.005 * R22x;
+        const double t106 = 0.047 * R22y;
+        const double pA_length_toy_by_q_1 = t105 - t106;
+        const double t107 = 0.005 * R21x;
+        const double t108 = 0.047 * R21y;
+        const double pA_length_tox_by_q_1 = t107 - t108;
+        const double t109 = 0.005 * s2;
+        const double t110 = 0.047 * c2;
+        const double pA_length_toz_by_q_1 = t109 + t110;
+        const double t111 = A_lengthdz * pA_length_toz_by_q_1;
+        const double t112 = A_lengthdx * pA_length_tox_by_q_1 + A_lengthdy * pA_length_toy_by_q_1
+            - t111;
+        const double A_length_by_q_1 = t112 * t94;
+        const double t113 = pA_length_toy_by_q_1 * t96 - pA_length_tox_by_q_1 * t95
             - A_length_by_q_0 * A_length_by_q_1;
-        const double A_length_by_q_0_2_by_q_1 = t114 * t94;
-        const double pB_length_tox_by_q_1 = t108 + t109;
-        const double pB_length_toy_by_q_1 = t106 + t107;
-        const double pB_length_toz_by_q_1 = t110 - t111;
-        const double t115 = B_lengthdz * pB_length_toz_by_q_1;
-        const double t116 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
-            + t115;
-        const double B_length_by_q_1 = t116 * t101;
-        const double t117 = pB_length_tox_by_q_1 * t102 + pB_length_toy_by_q_1 * -t103
+        const double pB_length_tox_by_q_1 = t107 + t108;
+        const double pB_length_toy_by_q_1 = t105 + t106;
+        const double pB_length_toz_by_q_1 = t109 - t110;
+        const double t114 = B_lengthdz * pB_length_toz_by_q_1;
+        const double t115 = B_lengthdx * pB_length_tox_by_q_1 + B_lengthdy * pB_length_toy_by_q_1
+            + t114;
+        const double B_length_by_q_1 = t115 * t101;
+        const double t116 = pB_length_tox_by_q_1 * t102 + pB_length_toy_by_q_1 * -t103
             - B_length_by_q_0 * B_length_by_q_1;
-        const double B_length_by_q_0_2_by_q_1 = t117 * t101;
-        const double t118 = f[state] * A_length_by_q_0_2_by_q_1 + f[1 * n + state]
-            * B_length_by_q_0_2_by_q_1;
-        const double t119 = pA_length_toz_by_q_1 * pA_length_toz_by_q_1;
-        const double t120 = pA_length_toy_by_q_1 * pA_length_toy_by_q_1;
-        const double t121 = pA_length_tox_by_q_1 * pA_length_tox_by_q_1;
+        const double t117 = pA_length_toz_by_q_1 * pA_length_toz_by_q_1;
+        const double t118 = pA_length_toy_by_q_1 * pA_length_toy_by_q_1;
+        const double t119 = pA_length_tox_by_q_1 * pA_length_tox_by_q_1;
         const double pA_length_toy_by_q_1_2_by_q_1 = t92 + t90;
-        const double t122 = pA_length_toz * A_lengthdz;
+        const double t120 = pA_length_toz * A_lengthdz;
         const double pA_length_tox_by_q_1_2_by_q_1 = t88 + t86;
-        const double t123 = t122 + A_lengthdx * pA_length_tox_by_q_1_2_by_q_1 + A_lengthdy
+        const double t121 = t120 + A_lengthdx * pA_length_tox_by_q_1_2_by_q_1 + A_lengthdy
             * pA_length_toy_by_q_1_2_by_q_1;
-        const double A_length_by_q_1_2_by_q_1 = (t123 + t121 + t120 + t119 - A_length_by_q_1
+        const double A_length_by_q_1_2_by_q_1 = (t121 + t119 + t118 + t117 - A_length_by_q_1
             * A_length_by_q_1) * t94;
-        const double t124 = pB_length_toz_by_q_1 * pB_length_toz_by_q_1;
-        const double t125 = pB_length_toy_by_q_1 * pB_length_toy_by_q_1;
-        const double t126 = pB_length_tox_by_q_1 * pB_length_tox_by_q_1;
+        const double t122 = pB_length_toz_by_q_1 * pB_length_toz_by_q_1;
+        const double t123 = pB_length_toy_by_q_1 * pB_length_toy_by_q_1;
+        const double t124 = pB_length_tox_by_q_1 * pB_length_tox_by_q_1;
         const double pB_length_toy_by_q_1_2_by_q_1 = t92 - t90;
-        const double t127 = pB_length_toz * B_lengthdz;
+        const double t125 = pB_length_toz * B_lengthdz;
         const double pB_length_tox_by_q_1_2_by_q_1 = t88 - t86;
-        const double t128 = t127 - B_lengthdx * pB_length_tox_by_q_1_2_by_q_1 - B_lengthdy
+        const double t126 = t125 - B_lengthdx * pB_length_tox_by_q_1_2_by_q_1 - B_lengthdy
             * pB_length_toy_by_q_1_2_by_q_1;
-        const double B_length_by_q_1_2_by_q_1 = (t128 + t126 + t125 + t124 - B_length_by_q_1
+        const double B_length_by_q_1_2_by_q_1 = (t126 + t124 + t123 + t122 - B_length_by_q_1
             * B_length_by_q_1) * t101;
-        const double t129 = f[state] * A_length_by_q_1_2_by_q_1 + f[1 * n + state]
+        const double t127 = f[state] * A_length_by_q_1_2_by_q_1 + f[1 * n + state]
             * B_length_by_q_1_2_by_q_1;
         const double K_wrist_72 = 0.005 * t81;
         const double K_wrist_74 = 0.005 * t82;
@@ -6443,24 +5431,26 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
         const double pC_length_tox = t99 + t86;
         const double C_lengthdx = 0.002 - pC_length_tox;
         const double C_length = sinew_sqrt(t85 + C_lengthdx * C_lengthdx + C_lengthdy * C_lengthdy);
-        const double t130 = 1.0 / C_length;
-        const double t131 = pC_length_toy - C_lengthdy;
-        const double t132 = C_lengthdx + pC_length_tox;
+        const double t128 = 1.0 / C_length;
+        const double t129 = pC_length_toy - C_lengthdy;
+        const double t130 = C_lengthdx + pC_length_tox;
         const double C_length_by_q_0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx)
-            * t130;
-        const double t133 = pC_length_toy * t131 + pC_length_tox * t132 - C_length_by_q_0
+            * t128;
+        const double t131 = pC_length_toy * t129 + pC_length_tox * t130 - C_length_by_q_0
             * C_length_by_q_0;
-        const double C_length_by_q_0_2_by_q_0 = t133 * t130;
-        const double t134 = t112 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
+        const double t132 = f[state] * (t97 * t94) - f[1 * n + state] * (t104 * t101) + f[2 * n
+            + state] * (t131 * t128);
+        const double t133 = t111 - C_lengthdx * pA_length_tox_by_q_1 + C_lengthdy
             * pA_length_toy_by_q_1;
-        const double C_length_by_q_1 = t134 * t130;
-        const double t135 = pA_length_tox_by_q_1 * -t131 + pA_length_toy_by_q_1 * t132
+        const double C_length_by_q_1 = t133 * t128;
+        const double t134 = pA_length_tox_by_q_1 * -t129 + pA_length_toy_by_q_1 * t130
             - C_length_by_q_0 * C_length_by_q_1;
-        const double C_length_by_q_0_2_by_q_1 = t135 * t130;
-        const double t136 = t122 + C_lengthdx * pA_length_tox_by_q_1_2_by_q_1 - C_lengthdy
+        const double t135 = f[state] * (t113 * t94) + f[1 * n + state] * (t116 * t101) + f[2 * n
+            + state] * (t134 * t128);
+        const double t136 = t120 + C_lengthdx * pA_length_tox_by_q_1_2_by_q_1 - C_lengthdy
             * pA_length_toy_by_q_1_2_by_q_1;
-        const double C_length_by_q_1_2_by_q_1 = (t136 + t121 + t120 + t119 - C_length_by_q_1
-            * C_length_by_q_1) * t130;
+        const double C_length_by_q_1_2_by_q_1 = (t136 + t119 + t118 + t117 - C_length_by_q_1
+            * C_length_by_q_1) * t128;
         const double pD_length_toy = t93 - t90;
         const double D_lengthdy = 0.03 - pD_length_toy;
         const double pD_length_tox = t89 - t86;
@@ -6473,60 +5463,51 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
             * t137;
         const double t140 = pD_length_tox * t138 - pD_length_toy * t139 + D_length_by_q_0
             * D_length_by_q_0;
-        const double D_length_by_q_0_2_by_q_0 = t140 * t137;
-        const double t141 = t105 + f[2 * n + state] * C_length_by_q_0_2_by_q_0 - f[3 * n + state]
-            * D_length_by_q_0_2_by_q_0;
-        const double t142 = t115 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
+        const double t141 = t114 + D_lengthdx * pB_length_tox_by_q_1 - D_lengthdy
             * pB_length_toy_by_q_1;
-        const double D_length_by_q_1 = t142 * t137;
-        const double t143 = pB_length_toy_by_q_1 * -t138 - pB_length_tox_by_q_1 * t139
+        const double D_length_by_q_1 = t141 * t137;
+        const double t142 = pB_length_toy_by_q_1 * -t138 - pB_length_tox_by_q_1 * t139
             + D_length_by_q_0 * D_length_by_q_1;
-        const double D_length_by_q_0_2_by_q_1 = t143 * t137;
-        const double t144 = t118 + f[2 * n + state] * C_length_by_q_0_2_by_q_1 + f[3 * n + state]
-            * D_length_by_q_0_2_by_q_1;
-        const double t145 = t127 - D_lengthdx * pB_length_tox_by_q_1_2_by_q_1 + D_lengthdy
+        const double t143 = t125 - D_lengthdx * pB_length_tox_by_q_1_2_by_q_1 + D_lengthdy
             * pB_length_toy_by_q_1_2_by_q_1;
-        const double D_length_by_q_1_2_by_q_1 = (t145 + t126 + t125 + t124 - D_length_by_q_1
+        const double D_length_by_q_1_2_by_q_1 = (t143 + t124 + t123 + t122 - D_length_by_q_1
             * D_length_by_q_1) * t137;
-        const double t146 = t129 + f[2 * n + state] * C_length_by_q_1_2_by_q_1 + f[3 * n + state]
+        const double t144 = t127 + f[2 * n + state] * C_length_by_q_1_2_by_q_1 + f[3 * n + state]
             * D_length_by_q_1_2_by_q_1;
         const double w1_1 = kt[state] * A_length_by_q_0;
-        const double w1_2 = kt[state] * A_length_by_q_1;
         const double w2_1 = kt[1 * n + state] * B_length_by_q_0;
+        const double t145 = t132 - f[3 * n + state] * (t140 * t137) + A_length_by_q_0 * w1_1
+            + B_length_by_q_0 * w2_1;
+        const double t146 = t135 + f[3 * n + state] * (t142 * t137) + A_length_by_q_1 * w1_1
+            + B_length_by_q_1 * w2_1;
         const double t147 = P[state] * kt[state];
         const double t148 = P[2 * n + state] * kt[1 * n + state];
         const double t149 = P[1 * n + state] * kt[state];
         const double t150 = P[3 * n + state] * kt[1 * n + state];
-        const double w2_2 = kt[1 * n + state] * B_length_by_q_1;
+        const double t151 = t144 + A_length_by_q_1 * (kt[state] * A_length_by_q_1) + B_length_by_q_1
+            * (kt[1 * n + state] * B_length_by_q_1);
         const double w3_1 = kt[2 * n + state] * C_length_by_q_0;
-        const double t151 = t141 + A_length_by_q_0 * w1_1 + B_length_by_q_0 * w2_1 + C_length_by_q_0
-            * w3_1;
-        const double t152 = t144 + A_length_by_q_1 * w1_1 + B_length_by_q_1 * w2_1 + C_length_by_q_1
-            * w3_1;
-        const double t153 = P[4 * n + state] * kt[2 * n + state];
-        const double t154 = P[5 * n + state] * kt[2 * n + state];
-        const double w3_2 = kt[2 * n + state] * C_length_by_q_1;
-        const double t155 = t146 + A_length_by_q_1 * w1_2 + B_length_by_q_1 * w2_2 + C_length_by_q_1
-            * w3_2;
+        const double t152 = P[4 * n + state] * kt[2 * n + state];
+        const double t153 = P[5 * n + state] * kt[2 * n + state];
         const double w4_1 = kt[3 * n + state] * D_length_by_q_0;
-        const double K1_1 = t151 + D_length_by_q_0 * w4_1;
-        const double K1_2 = t152 - D_length_by_q_1 * w4_1;
-        const double t156 = P[6 * n + state] * kt[3 * n + state];
-        const double K_wrist_2 = t147 * A_length_by_q_0 - t148 * B_length_by_q_0 - t153
+        const double K1_1 = t145 + C_length_by_q_0 * w3_1 + D_length_by_q_0 * w4_1;
+        const double K1_2 = t146 + C_length_by_q_1 * w3_1 - D_length_by_q_1 * w4_1;
+        const double t154 = P[6 * n + state] * kt[3 * n + state];
+        const double K_wrist_2 = t147 * A_length_by_q_0 - t148 * B_length_by_q_0 - t152
+            * C_length_by_q_0 + t154 * D_length_by_q_0;
+        const double t155 = -K_wrist_2;
+        const double t156 = P[7 * n + state] * kt[3 * n + state];
+        const double K_wrist_2_2 = t149 * A_length_by_q_0 - t150 * B_length_by_q_0 - t153
             * C_length_by_q_0 + t156 * D_length_by_q_0;
-        const double t157 = -K_wrist_2;
-        const double t158 = P[7 * n + state] * kt[3 * n + state];
-        const double K_wrist_2_2 = t149 * A_length_by_q_0 - t150 * B_length_by_q_0 - t154
-            * C_length_by_q_0 + t158 * D_length_by_q_0;
-        const double t159 = -K_wrist_2_2;
-        const double w4_2 = kt[3 * n + state] * D_length_by_q_1;
-        const double K2_2 = t155 + D_length_by_q_1 * w4_2;
-        const double K_wrist_4 = t147 * A_length_by_q_1 - t148 * B_length_by_q_1 - t153
+        const double t157 = -K_wrist_2_2;
+        const double K2_2 = t151 + C_length_by_q_1 * (kt[2 * n + state] * C_length_by_q_1)
+            + D_length_by_q_1 * (kt[3 * n + state] * D_length_by_q_1);
+        const double K_wrist_4 = t147 * A_length_by_q_1 - t148 * B_length_by_q_1 - t152
+            * C_length_by_q_1 - t154 * D_length_by_q_1;
+        const double t158 = -K_wrist_4;
+        const double K_wrist_6 = t149 * A_length_by_q_1 - t150 * B_length_by_q_1 - t153
             * C_length_by_q_1 - t156 * D_length_by_q_1;
-        const double t160 = -K_wrist_4;
-        const double K_wrist_6 = t149 * A_length_by_q_1 - t150 * B_length_by_q_1 - t154
-            * C_length_by_q_1 - t158 * D_length_by_q_1;
-        const double t161 = -K_wrist_6;
+        const double t159 = -K_wrist_6;
         K[state] = K1_1;
         K[1 * n + state] = K1_2;
         K[2 * n + state] = 0.0;
@@ -6546,8 +5527,8 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
         K[16 * n + state] = 0.0;
         K[17 * n + state] = 0.0;
         K[18 * n + state] = 0.0;
-        K[19 * n + state] = t157;
-        K[20 * n + state] = t159;
+        K[19 * n + state] = t155;
+        K[20 * n + state] = t157;
         K[21 * n + state] = K1_2;
         K[22 * n + state] = K2_2;
         K[23 * n + state] = 0.0;
@@ -6567,8 +5548,8 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
         K[37 * n + state] = 0.0;
         K[38 * n + state] = 0.0;
         K[39 * n + state] = 0.0;
-        K[40 * n + state] = t160;
-        K[41 * n + state] = t161;
+        K[40 * n + state] = t158;
+        K[41 * n + state] = t159;
         K[42 * n + state] = 0.0;
         K[43 * n + state] = 0.0;
         K[44 * n + state] = K3_3;
@@ -6926,8 +5907,8 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
         K[396 * n + state] = K1_1_10;
         K[397 * n + state] = K_wrist_72;
         K[398 * n + state] = K_wrist_74;
-        K[399 * n + state] = t157;
-        K[400 * n + state] = t160;
+        K[399 * n + state] = t155;
+        K[400 * n + state] = t158;
         K[401 * n + state] = K_wrist_8;
         K[402 * n + state] = K_wrist_12;
         K[403 * n + state] = K_wrist_16;
@@ -6947,8 +5928,8 @@ void hand_whole_stiffness_batch(int count, const double *SINEW_RESTRICT q,
         K[417 * n + state] = K_wrist_72;
         K[418 * n + state] = K_wrist[state];
         K[419 * n + state] = K_wrist[1 * n + state];
-        K[420 * n + state] = t159;
-        K[421 * n + state] = t161;
+        K[420 * n + state] = t157;
+        K[421 * n + state] = t159;
         K[422 * n + state] = K_wrist_10;
         K[423 * n + state] = K_wrist_14;
         K[424 * n + state] = K_wrist_18;
@@ -7038,22 +6019,20 @@ void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double w3zz_8 = w3z_8 * w3z_8;
         const double al3z_8 = qdd[16 * n + state] + qdd[17 * n + state];
         const double e3x_8 = c3_8 * w3zz_8 + s3_8 * al3z_8;
-        const double a4x_8 = a3x_8 + 0.02384 * e3x_8;
         const double j4y1_8 = 1.234944e-05 * s4_8;
         const double e3y_8 = c3_8 * al3z_8 - s3_8 * w3zz_8;
         const double e2y_8 = qdd[16 * n + state] * c2_8 - s2_8 * w2zz_8;
         const double a3y_8 = g[14 * n + state] - 0.032304 * e2y_8;
-        const double a4y_8 = a3y_8 - 0.02384 * e3y_8;
         const double j4x1_8 = 1.234944e-05 * c4_8;
         const double al4z_8 = al3z_8 + 1.2222222222222223 * qdd[17 * n + state];
-        const double n4_8 = 1.462099968e-07 * al4z_8 - j4x1_8 * a4y_8 + j4y1_8 * a4x_8;
+        const double n4_8 = 1.462099968e-07 * al4z_8 - j4x1_8 * (a3y_8 - 0.02384 * e3y_8) + j4y1_8
+            * (a3x_8 + 0.02384 * e3x_8);
         const double j3x1_8 = 7.323648000000001e-05 * c3_8;
         const double j3y1_8 = 7.323648000000001e-05 * s3_8;
         const double t1 = 1.2222222222222223 * qd[17 * n + state];
         const double w4z_8 = w3z_8 + t1;
         const double w4zz_8 = w4z_8 * w4z_8;
-        const double e4y_8 = c4_8 * al4z_8 - s4_8 * w4zz_8;
-        const double F4y_8 = 1.234944e-05 * e4y_8;
+        const double F4y_8 = 1.234944e-05 * (c4_8 * al4z_8 - s4_8 * w4zz_8);
         const double l4x_8 = 0.02384 * c3_8;
         const double t2 = n4_8 + 1.482612736e-06 * al3z_8 - j3x1_8 * a3y_8 + j3y1_8 * a3x_8 + l4x_8
             * F4y_8;
@@ -7062,33 +6041,27 @@ void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double l4y_8 = 0.02384 * s3_8;
         const double n3_8 = t2 + l4y_8 * F4x_8;
         const double j4yz_6 = 5.2855603200000006e-08 * s4_8;
-        const double j3yz_6 = 2.2996254720000002e-07 * s3_8;
-        const double K3yz_6 = j3yz_6 + j4yz_6;
+        const double K3yz_6 = 2.2996254720000002e-07 * s3_8 + j4yz_6;
         const double l3x_8 = 0.032304 * c2_8;
         const double o4x_8 = l3x_8 + l4x_8;
         const double j4u_8 = 1.185619968e-07 * c4_8;
-        const double j4xy_8 = s4_8 * j4u_8;
-        const double K4yx_8 = j4xy_8 + o4x_8 * j4y1_8;
+        const double K4yx_8 = s4_8 * j4u_8 + o4x_8 * j4y1_8;
         const double j3u_8 = 1.427316736e-06 * c3_8;
-        const double j3xy_8 = s3_8 * j3u_8;
-        const double K3yx_8 = j3xy_8 + K4yx_8 + l3x_8 * j3y1_8 + l4y_8 * j4x1_8;
+        const double K3yx_8 = s3_8 * j3u_8 + K4yx_8 + l3x_8 * j3y1_8 + l4y_8 * j4x1_8;
         const double t3_8 = n3_8 + qdd[15 * n + state] * K3yz_6 + w1zz_8 * K3yx_8;
         const double t4_8 = n4_8 + qdd[15 * n + state] * j4yz_6 + w1zz_8 * K4yx_8;
         const double j2x1_8 = 0.000223285248 * c2_8;
         const double t3 = n3_8 + 6.45303346786e-06 * qdd[16 * n + state] - g[14 * n + state]
             * j2x1_8;
         const double j2y1_8 = 0.000223285248 * s2_8;
-        const double F3y_8 = F4y_8 + 7.323648000000001e-05 * e3y_8;
-        const double F3x_8 = F4x_8 + 7.323648000000001e-05 * e3x_8;
         const double l3y_8 = 0.032304 * s2_8;
-        const double n2_8 = t3 + b2x_6 * j2y1_8 + l3x_8 * F3y_8 + l3y_8 * F3x_8;
-        const double j2yz_6 = 4.1084485632e-07 * s2_8;
-        const double K2yz_6 = j2yz_6 + K3yz_6;
+        const double n2_8 = t3 + b2x_6 * j2y1_8 + l3x_8 * (F4y_8 + 7.323648000000001e-05 * e3y_8)
+            + l3y_8 * (F4x_8 + 7.323648000000001e-05 * e3x_8);
         const double j2u_8 = 6.37008946786e-06 * c2_8;
-        const double j2xy_8 = s2_8 * j2u_8;
         const double S3x_8 = j3x1_8 + j4x1_8;
-        const double K2yx_8 = j2xy_8 + K3yx_8 + l3y_8 * S3x_8;
-        const double t2_8 = n2_8 + qdd[15 * n + state] * K2yz_6 + w1zz_8 * K2yx_8;
+        const double K2yx_8 = s2_8 * j2u_8 + K3yx_8 + l3y_8 * S3x_8;
+        const double t2_8 = n2_8 + qdd[15 * n + state] * (4.1084485632e-07 * s2_8 + K3yz_6) + w1zz_8
+            * K2yx_8;
         const double R2yx_8 = qd[16 * n + state] * K2yx_8 + qd[17 * n + state] * K3yx_8 + t1
             * K4yx_8;
         const double w_2y_8 = qd[15 * n + state] + qd[15 * n + state];
@@ -7100,14 +6073,13 @@ void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
             + 4.1084485632e-07 * e2x_8;
         const double S2x_8 = j2x1_8 + S3x_8;
         const double a1y_8 = g[12 * n + state] * s1_8 - g[13 * n + state] * c1_8;
-        const double b2y_6 = a1y_8 + 0.0048 * qdd[15 * n + state];
-        const double t7 = t6 + b2y_6 * S2x_8 - w_2y_8 * R2yx_8 + 1.271808e-05 * a1x_8 + 4.66944e-05
-            * a1y_8;
+        const double t7 = t6 + (a1y_8 + 0.0048 * qdd[15 * n + state]) * S2x_8 - w_2y_8 * R2yx_8
+            + 1.271808e-05 * a1x_8;
         const double S3y_8 = j3y1_8 + j4y1_8;
-        const double S2y_8 = j2y1_8 + S3y_8;
-        const double R2y_8 = qd[16 * n + state] * S2y_8 + qd[17 * n + state] * S3y_8 + t1 * j4y1_8;
+        const double R2y_8 = qd[16 * n + state] * (j2y1_8 + S3y_8) + qd[17 * n + state] * S3y_8 + t1
+            * j4y1_8;
         const double P2z_8 = qdd[15 * n + state] * S2x_8 - w_2y_8 * R2y_8;
-        const double N1z_8 = t7 + 0.0048 * P2z_8;
+        const double N1z_8 = t7 + 4.66944e-05 * a1y_8 + 0.0048 * P2z_8;
         const double a1x_6 = g[9 * n + state] * c1_6 + g[10 * n + state] * s1_6;
         const double w1zz_6 = qd[12 * n + state] * qd[12 * n + state];
         const double b2x_4 = a1x_6 + 0.006 * w1zz_6;
@@ -7118,22 +6090,20 @@ void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double w3zz_6 = w3z_6 * w3z_6;
         const double al3z_6 = qdd[13 * n + state] + qdd[14 * n + state];
         const double e3x_6 = c3_6 * w3zz_6 + s3_6 * al3z_6;
-        const double a4x_6 = a3x_6 + 0.0298 * e3x_6;
         const double j4y1_6 = 3.015e-05 * s4_6;
         const double e3y_6 = c3_6 * al3z_6 - s3_6 * w3zz_6;
         const double e2y_6 = qdd[13 * n + state] * c2_6 - s2_6 * w2zz_6;
         const double a3y_6 = g[11 * n + state] - 0.04038 * e2y_6;
-        const double a4y_6 = a3y_6 - 0.0298 * e3y_6;
         const double j4x1_6 = 3.015e-05 * c4_6;
         const double al4z_6 = al3z_6 + 1.2222222222222223 * qdd[14 * n + state];
-        const double n4_6 = 4.3101e-07 * al4z_6 - j4x1_6 * a4y_6 + j4y1_6 * a4x_6;
+        const double n4_6 = 4.3101e-07 * al4z_6 - j4x1_6 * (a3y_6 - 0.0298 * e3y_6) + j4y1_6
+            * (a3x_6 + 0.0298 * e3x_6);
         const double j3x1_6 = 0.0001788 * c3_6;
         const double j3y1_6 = 0.0001788 * s3_6;
         const double t8 = 1.2222222222222223 * qd[14 * n + state];
         const double w4z_6 = w3z_6 + t8;
         const double w4zz_6 = w4z_6 * w4z_6;
-        const double e4y_6 = c4_6 * al4z_6 - s4_6 * w4zz_6;
-        const double F4y_6 = 3.015e-05 * e4y_6;
+        const double F4y_6 = 3.015e-05 * (c4_6 * al4z_6 - s4_6 * w4zz_6);
         const double l4x_6 = 0.0298 * c3_6;
         const double t9 = n4_6 + 4.4942e-06 * al3z_6 - j3x1_6 * a3y_6 + j3y1_6 * a3x_6 + l4x_6
             * F4y_6;
@@ -7142,33 +6112,27 @@ void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double l4y_6 = 0.0298 * s3_6;
         const double n3_6 = t9 + l4y_6 * F4x_6;
         const double j4yz_4 = 1.613025e-07 * s4_6;
-        const double j3yz_4 = 7.0179e-07 * s3_6;
-        const double K3yz_4 = j3yz_4 + j4yz_4;
+        const double K3yz_4 = 7.0179e-07 * s3_6 + j4yz_4;
         const double l3x_6 = 0.04038 * c2_6;
         const double o4x_6 = l3x_6 + l4x_6;
         const double j4u_6 = 3.7701e-07 * c4_6;
-        const double j4xy_6 = s4_6 * j4u_6;
-        const double K4yx_6 = j4xy_6 + o4x_6 * j4y1_6;
+        const double K4yx_6 = s4_6 * j4u_6 + o4x_6 * j4y1_6;
         const double j3u_6 = 4.3862e-06 * c3_6;
-        const double j3xy_6 = s3_6 * j3u_6;
-        const double K3yx_6 = j3xy_6 + K4yx_6 + l3x_6 * j3y1_6 + l4y_6 * j4x1_6;
+        const double K3yx_6 = s3_6 * j3u_6 + K4yx_6 + l3x_6 * j3y1_6 + l4y_6 * j4x1_6;
         const double t3_6 = n3_6 + qdd[12 * n + state] * K3yz_4 + w1zz_6 * K3yx_6;
         const double t4_6 = n4_6 + qdd[12 * n + state] * j4yz_4 + w1zz_6 * K4yx_6;
         const double j2x1_6 = 0.00054513 * c2_6;
         const double j2y1_6 = 0.00054513 * s2_6;
         const double t10 = n3_6 + 1.96475328e-05 * qdd[13 * n + state] - g[11 * n + state] * j2x1_6
             + b2x_4 * j2y1_6;
-        const double F3y_6 = F4y_6 + 0.0001788 * e3y_6;
-        const double F3x_6 = F4x_6 + 0.0001788 * e3x_6;
         const double l3y_6 = 0.04038 * s2_6;
-        const double n2_6 = t10 + l3x_6 * F3y_6 + l3y_6 * F3x_6;
-        const double j2yz_4 = 1.253799e-06 * s2_6;
-        const double K2yz_4 = j2yz_4 + K3yz_4;
+        const double n2_6 = t10 + l3x_6 * (F4y_6 + 0.0001788 * e3y_6) + l3y_6 * (F4x_6 + 0.0001788
+            * e3x_6);
         const double j2u_6 = 1.94855328e-05 * c2_6;
-        const double j2xy_6 = s2_6 * j2u_6;
         const double S3x_6 = j3x1_6 + j4x1_6;
-        const double K2yx_6 = j2xy_6 + K3yx_6 + l3y_6 * S3x_6;
-        const double t2_6 = n2_6 + qdd[12 * n + state] * K2yz_4 + w1zz_6 * K2yx_6;
+        const double K2yx_6 = s2_6 * j2u_6 + K3yx_6 + l3y_6 * S3x_6;
+        const double t2_6 = n2_6 + qdd[12 * n + state] * (1.253799e-06 * s2_6 + K3yz_4) + w1zz_6
+            * K2yx_6;
         const double R2yx_6 = qd[13 * n + state] * K2yx_6 + qd[14 * n + state] * K3yx_6 + t8
             * K4yx_6;
         const double w_2y_6 = qd[12 * n + state] + qd[12 * n + state];
@@ -7178,12 +6142,11 @@ void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
             + 1.1373675000000002e-06);
         const double S2x_6 = j2x1_6 + S3x_6;
         const double a1y_6 = g[9 * n + state] * s1_6 - g[10 * n + state] * c1_6;
-        const double b2y_4 = a1y_6 + 0.006 * qdd[12 * n + state];
         const double t13 = t12 + 1.613025e-07 * e4x_6 + 7.0179e-07 * e3x_6 + 1.253799e-06 * e2x_6
-            + b2y_4 * S2x_6;
+            + (a1y_6 + 0.006 * qdd[12 * n + state]) * S2x_6;
         const double S3y_6 = j3y1_6 + j4y1_6;
-        const double S2y_6 = j2y1_6 + S3y_6;
-        const double R2y_6 = qd[13 * n + state] * S2y_6 + qd[14 * n + state] * S3y_6 + t8 * j4y1_6;
+        const double R2y_6 = qd[13 * n + state] * (j2y1_6 + S3y_6) + qd[14 * n + state] * S3y_6 + t8
+            * j4y1_6;
         const double P2z_6 = qdd[12 * n + state] * S2x_6 - w_2y_6 * R2y_6;
         const double N1z_6 = t13 - w_2y_6 * R2yx_6 + 3.105e-05 * a1x_6 + 0.000114 * a1y_6 + 0.006
             * P2z_6;
@@ -7197,56 +6160,48 @@ void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double w3zz_4 = w3z_4 * w3z_4;
         const double al3z_4 = qdd[9 * n + state] + qdd[10 * n + state];
         const double e3x_4 = c3_4 * w3zz_4 + s3_4 * al3z_4;
-        const double a4x_4 = a3x_4 + 0.032184 * e3x_4;
         const double j4y1_4 = 4.101874214400001e-05 * s4_4;
         const double e3y_4 = c3_4 * al3z_4 - s3_4 * w3zz_4;
         const double e2y_4 = qdd[9 * n + state] * c2_4 - s2_4 * w2zz_4;
         const double a3y_4 = g[8 * n + state] - 0.0436104 * e2y_4;
-        const double a4y_4 = a3y_4 - 0.032184 * e3y_4;
         const double j4x1_4 = 4.101874214400001e-05 * c4_4;
         const double al4z_4 = qdd[11 * n + state] + al3z_4;
-        const double n4_4 = 6.27635460330976e-07 * al4z_4 - j4x1_4 * a4y_4 + j4y1_4 * a4x_4;
+        const double n4_4 = 6.27635460330976e-07 * al4z_4 - j4x1_4 * (a3y_4 - 0.032184 * e3y_4)
+            + j4y1_4 * (a3x_4 + 0.032184 * e3x_4);
         const double j4yz_2 = 2.3700629210803204e-07 * s4_4;
         const double l4x_4 = 0.032184 * c3_4;
         const double l3x_4 = 0.0436104 * c2_4;
         const double o4x_4 = l3x_4 + l4x_4;
         const double j4u_4 = 5.59611012330976e-07 * c4_4;
-        const double j4xy_4 = s4_4 * j4u_4;
-        const double K4yx_4 = j4xy_4 + o4x_4 * j4y1_4;
+        const double K4yx_4 = s4_4 * j4u_4 + o4x_4 * j4y1_4;
         const double t4_4 = n4_4 + qdd[8 * n + state] * j4yz_2 + w1zz_4 * K4yx_4;
         const double j3x1_4 = 0.000243255426048 * c3_4;
         const double j3y1_4 = 0.000243255426048 * s3_4;
         const double w4z_4 = qd[11 * n + state] + w3z_4;
         const double w4zz_4 = w4z_4 * w4z_4;
-        const double e4y_4 = c4_4 * al4z_4 - s4_4 * w4zz_4;
-        const double F4y_4 = 4.101874214400001e-05 * e4y_4;
+        const double F4y_4 = 4.101874214400001e-05 * (c4_4 * al4z_4 - s4_4 * w4zz_4);
         const double t14 = n4_4 + 6.592134974646623e-06 * al3z_4 - j3x1_4 * a3y_4 + j3y1_4 * a3x_4
             + l4x_4 * F4y_4;
         const double e4x_4 = c4_4 * w4zz_4 + s4_4 * al4z_4;
         const double F4x_4 = 4.101874214400001e-05 * e4x_4;
         const double l4y_4 = 0.032184 * s3_4;
         const double n3_4 = t14 + l4y_4 * F4x_4;
-        const double j3yz_2 = 1.031159751017472e-06 * s3_4;
-        const double K3yz_2 = j3yz_2 + j4yz_2;
+        const double K3yz_2 = 1.031159751017472e-06 * s3_4 + j4yz_2;
         const double j3u_4 = 6.456086078646624e-06 * c3_4;
-        const double j3xy_4 = s3_4 * j3u_4;
-        const double K3yx_4 = j3xy_4 + K4yx_4 + l3x_4 * j3y1_4 + l4y_4 * j4x1_4;
+        const double K3yx_4 = s3_4 * j3u_4 + K4yx_4 + l3x_4 * j3y1_4 + l4y_4 * j4x1_4;
         const double t3_4 = n3_4 + qdd[8 * n + state] * K3yz_2 + w1zz_4 * K3yx_4;
         const double j2x1_4 = 0.0007416433467648001 * c2_4;
         const double t15 = n3_4 + 2.8851692681126364e-05 * qdd[9 * n + state] - g[8 * n + state]
             * j2x1_4;
         const double j2y1_4 = 0.0007416433467648001 * s2_4;
-        const double F3y_4 = F4y_4 + 0.000243255426048 * e3y_4;
-        const double F3x_4 = F4x_4 + 0.000243255426048 * e3x_4;
         const double l3y_4 = 0.0436104 * s2_4;
-        const double n2_4 = t15 + b2x_2 * j2y1_4 + l3x_4 * F3y_4 + l3y_4 * F3x_4;
-        const double j2yz_2 = 1.8422420733637633e-06 * s2_4;
-        const double K2yz_2 = j2yz_2 + K3yz_2;
+        const double n2_4 = t15 + b2x_2 * j2y1_4 + l3x_4 * (F4y_4 + 0.000243255426048 * e3y_4)
+            + l3y_4 * (F4x_4 + 0.000243255426048 * e3x_4);
         const double j2u_4 = 2.8647619337126362e-05 * c2_4;
-        const double j2xy_4 = s2_4 * j2u_4;
         const double S3x_4 = j3x1_4 + j4x1_4;
-        const double K2yx_4 = j2xy_4 + K3yx_4 + l3y_4 * S3x_4;
-        const double t2_4 = n2_4 + qdd[8 * n + state] * K2yz_2 + w1zz_4 * K2yx_4;
+        const double K2yx_4 = s2_4 * j2u_4 + K3yx_4 + l3y_4 * S3x_4;
+        const double t2_4 = n2_4 + qdd[8 * n + state] * (1.8422420733637633e-06 * s2_4 + K3yz_2)
+            + w1zz_4 * K2yx_4;
         const double R2yx_4 = qd[9 * n + state] * K2yx_4 + qd[10 * n + state] * K3yx_4 + qd[11 * n
             + state] * K4yx_4;
         const double w_2y_4 = qd[8 * n + state] + qd[8 * n + state];
@@ -7258,15 +6213,13 @@ void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
             + 1.8422420733637633e-06 * e2x_4;
         const double S2x_4 = j2x1_4 + S3x_4;
         const double a1y_4 = g[6 * n + state] * s1_4 - g[7 * n + state] * c1_4;
-        const double b2y_2 = a1y_4 + 0.00648 * qdd[8 * n + state];
-        const double t19 = t18 + b2y_2 * S2x_4 - w_2y_4 * R2yx_4 + 4.2243182208000006e-05 * a1x_4
-            + 0.00015509574144 * a1y_4;
+        const double t19 = t18 + (a1y_4 + 0.00648 * qdd[8 * n + state]) * S2x_4 - w_2y_4 * R2yx_4
+            + 4.2243182208000006e-05 * a1x_4;
         const double S3y_4 = j3y1_4 + j4y1_4;
-        const double S2y_4 = j2y1_4 + S3y_4;
-        const double R2y_4 = qd[9 * n + state] * S2y_4 + qd[10 * n + state] * S3y_4 + qd[11 * n
-            + state] * j4y1_4;
+        const double R2y_4 = qd[9 * n + state] * (j2y1_4 + S3y_4) + qd[10 * n + state] * S3y_4
+            + qd[11 * n + state] * j4y1_4;
         const double P2z_4 = qdd[8 * n + state] * S2x_4 - w_2y_4 * R2y_4;
-        const double N1z_4 = t19 + 0.00648 * P2z_4;
+        const double N1z_4 = t19 + 0.00015509574144 * a1y_4 + 0.00648 * P2z_4;
         const double a1x_2 = g[3 * n + state] * c1_2 + g[4 * n + state] * s1_2;
         const double w1zz_2 = qd[4 * n + state] * qd[4 * n + state];
         const double b2x = a1x_2 + 0.006 * w1zz_2;
@@ -7277,56 +6230,48 @@ void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double w3zz_2 = w3z_2 * w3z_2;
         const double al3z_2 = qdd[5 * n + state] + qdd[6 * n + state];
         const double e3x_2 = c3_2 * w3zz_2 + s3_2 * al3z_2;
-        const double a4x_2 = a3x_2 + 0.0298 * e3x_2;
         const double j4y1_2 = 3.015e-05 * s4_2;
         const double e3y_2 = c3_2 * al3z_2 - s3_2 * w3zz_2;
         const double e2y_2 = qdd[5 * n + state] * c2_2 - s2_2 * w2zz_2;
         const double a3y_2 = g[5 * n + state] - 0.04038 * e2y_2;
-        const double a4y_2 = a3y_2 - 0.0298 * e3y_2;
         const double j4x1_2 = 3.015e-05 * c4_2;
         const double al4z_2 = qdd[7 * n + state] + al3z_2;
-        const double n4_2 = 4.3101e-07 * al4z_2 - j4x1_2 * a4y_2 + j4y1_2 * a4x_2;
+        const double n4_2 = 4.3101e-07 * al4z_2 - j4x1_2 * (a3y_2 - 0.0298 * e3y_2) + j4y1_2
+            * (a3x_2 + 0.0298 * e3x_2);
         const double j4yz = 1.613025e-07 * s4_2;
         const double l4x_2 = 0.0298 * c3_2;
         const double l3x_2 = 0.04038 * c2_2;
         const double o4x_2 = l3x_2 + l4x_2;
         const double j4u_2 = 3.7701e-07 * c4_2;
-        const double j4xy_2 = s4_2 * j4u_2;
-        const double K4yx_2 = j4xy_2 + o4x_2 * j4y1_2;
+        const double K4yx_2 = s4_2 * j4u_2 + o4x_2 * j4y1_2;
         const double t4_2 = n4_2 + qdd[4 * n + state] * j4yz + w1zz_2 * K4yx_2;
         const double j3x1_2 = 0.0001788 * c3_2;
         const double j3y1_2 = 0.0001788 * s3_2;
         const double w4z_2 = qd[7 * n + state] + w3z_2;
         const double w4zz_2 = w4z_2 * w4z_2;
-        const double e4y_2 = c4_2 * al4z_2 - s4_2 * w4zz_2;
-        const double F4y_2 = 3.015e-05 * e4y_2;
+        const double F4y_2 = 3.015e-05 * (c4_2 * al4z_2 - s4_2 * w4zz_2);
         const double t20 = n4_2 + 4.4942e-06 * al3z_2 - j3x1_2 * a3y_2 + j3y1_2 * a3x_2 + l4x_2
             * F4y_2;
         const double e4x_2 = c4_2 * w4zz_2 + s4_2 * al4z_2;
         const double F4x_2 = 3.015e-05 * e4x_2;
         const double l4y_2 = 0.0298 * s3_2;
         const double n3_2 = t20 + l4y_2 * F4x_2;
-        const double j3yz = 7.0179e-07 * s3_2;
-        const double K3yz = j3yz + j4yz;
+        const double K3yz = 7.0179e-07 * s3_2 + j4yz;
         const double j3u_2 = 4.3862e-06 * c3_2;
-        const double j3xy_2 = s3_2 * j3u_2;
-        const double K3yx_2 = j3xy_2 + K4yx_2 + l3x_2 * j3y1_2 + l4y_2 * j4x1_2;
+        const double K3yx_2 = s3_2 * j3u_2 + K4yx_2 + l3x_2 * j3y1_2 + l4y_2 * j4x1_2;
         const double t3_2 = n3_2 + qdd[4 * n + state] * K3yz + w1zz_2 * K3yx_2;
         const double j2x1_2 = 0.00054513 * c2_2;
         const double j2y1_2 = 0.00054513 * s2_2;
         const double t21 = n3_2 + 1.96475328e-05 * qdd[5 * n + state] - g[5 * n + state] * j2x1_2
             + b2x * j2y1_2;
-        const double F3y_2 = F4y_2 + 0.0001788 * e3y_2;
-        const double F3x_2 = F4x_2 + 0.0001788 * e3x_2;
         const double l3y_2 = 0.04038 * s2_2;
-        const double n2_2 = t21 + l3x_2 * F3y_2 + l3y_2 * F3x_2;
-        const double j2yz = 1.253799e-06 * s2_2;
-        const double K2yz = j2yz + K3yz;
+        const double n2_2 = t21 + l3x_2 * (F4y_2 + 0.0001788 * e3y_2) + l3y_2 * (F4x_2 + 0.0001788
+            * e3x_2);
         const double j2u_2 = 1.94855328e-05 * c2_2;
-        const double j2xy_2 = s2_2 * j2u_2;
         const double S3x_2 = j3x1_2 + j4x1_2;
-        const double K2yx_2 = j2xy_2 + K3yx_2 + l3y_2 * S3x_2;
-        const double t2_2 = n2_2 + qdd[4 * n + state] * K2yz + w1zz_2 * K2yx_2;
+        const double K2yx_2 = s2_2 * j2u_2 + K3yx_2 + l3y_2 * S3x_2;
+        const double t2_2 = n2_2 + qdd[4 * n + state] * (1.253799e-06 * s2_2 + K3yz) + w1zz_2
+            * K2yx_2;
         const double R2yx_2 = qd[5 * n + state] * K2yx_2 + qd[6 * n + state] * K3yx_2 + qd[7 * n
             + state] * K4yx_2;
         const double w_2y_2 = qd[4 * n + state] + qd[4 * n + state];
@@ -7336,13 +6281,11 @@ void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
             + 1.1373675000000002e-06);
         const double S2x_2 = j2x1_2 + S3x_2;
         const double a1y_2 = g[3 * n + state] * s1_2 - g[4 * n + state] * c1_2;
-        const double b2y = a1y_2 + 0.006 * qdd[4 * n + state];
         const double t24 = t23 + 1.613025e-07 * e4x_2 + 7.0179e-07 * e3x_2 + 1.253799e-06 * e2x_2
-            + b2y * S2x_2;
+            + (a1y_2 + 0.006 * qdd[4 * n + state]) * S2x_2;
         const double S3y_2 = j3y1_2 + j4y1_2;
-        const double S2y_2 = j2y1_2 + S3y_2;
-        const double R2y_2 = qd[5 * n + state] * S2y_2 + qd[6 * n + state] * S3y_2 + qd[7 * n
-            + state] * j4y1_2;
+        const double R2y_2 = qd[5 * n + state] * (j2y1_2 + S3y_2) + qd[6 * n + state] * S3y_2 + qd[7
+            * n + state] * j4y1_2;
         const double P2z_2 = qdd[4 * n + state] * S2x_2 - w_2y_2 * R2y_2;
         const double N1z_2 = t24 - w_2y_2 * R2yx_2 + 3.105e-05 * a1x_2 + 0.000114 * a1y_2 + 0.006
             * P2z_2;
@@ -7351,64 +6294,49 @@ void hand_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double al3z = qdd[1 * n + state] + qdd[2 * n + state];
         const double e3y = c3 * al3z - s3 * w3zz;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
-        const double e2y = qdd[1 * n + state] * c2 - s2 * w2zz;
-        const double a3y = g[2 * n + state] - 0.045 * e2y;
-        const double a4y = a3y - 0.0298 * e3y;
+        const double a3y = g[2 * n + state] - 0.045 * (qdd[1 * n + state] * c2 - s2 * w2zz);
         const double j4x1 = 3.015e-05 * c4;
         const double al4z = qdd[3 * n + state] + al3z;
-        const double e2x = qdd[1 * n + state] * s2 + c2 * w2zz;
         const double a1x = g[state] * c1 + g[1 * n + state] * s1;
-        const double a3x = a1x + 0.045 * e2x;
+        const double a3x = a1x + 0.045 * (qdd[1 * n + state] * s2 + c2 * w2zz);
         const double e3x = c3 * w3zz + s3 * al3z;
-        const double a4x = a3x + 0.0298 * e3x;
         const double j4y1 = 3.015e-05 * s4;
-        const double n4 = 4.3101e-07 * al4z - j4x1 * a4y + j4y1 * a4x;
+        const double n4 = 4.3101e-07 * al4z - j4x1 * (a3y - 0.0298 * e3y) + j4y1 * (a3x + 0.0298
+            * e3x);
         const double l4x = 0.0298 * c3;
         const double l3x = 0.045 * c2;
         const double o4x = l3x + l4x;
         const double j4u = 3.7701e-07 * s4;
-        const double j4xy = c4 * j4u;
-        const double K4yx = j4xy + o4x * j4y1;
+        const double K4yx = c4 * j4u + o4x * j4y1;
         const double w1zz = qd[state] * qd[state];
-        const double t4_3 = n4 + w1zz * K4yx;
         const double j3x1 = 0.0001788 * c3;
         const double j3y1 = 0.0001788 * s3;
         const double w4z = qd[3 * n + state] + w3z;
         const double w4zz = w4z * w4z;
-        const double e4x = c4 * al4z - s4 * w4zz;
-        const double F4y = 3.015e-05 * e4x;
-        const double e4y = c4 * w4zz + s4 * al4z;
-        const double F4x = 3.015e-05 * e4y;
+        const double F4y = 3.015e-05 * (c4 * al4z - s4 * w4zz);
+        const double F4x = 3.015e-05 * (c4 * w4zz + s4 * al4z);
         const double l4y = 0.0298 * s3;
         const double n3 = n4 + 4.4942e-06 * al3z - j3x1 * a3y + j3y1 * a3x + l4x * F4y + l4y * F4x;
         const double j3u = 4.3862e-06 * c3;
-        const double j3xy = s3 * j3u;
-        const double K3yx = j3xy + K4yx + l3x * j3y1 + l4y * j4x1;
-        const double t3_3 = n3 + w1zz * K3yx;
+        const double K3yx = s3 * j3u + K4yx + l3x * j3y1 + l4y * j4x1;
         const double j2x1 = 0.0006075 * c2;
         const double t25 = n3 + 2.4381e-05 * qdd[1 * n + state] - g[2 * n + state] * j2x1 + a1x
             * 0.0006075 * s2;
-        const double F3y = F4y + 0.0001788 * e3y;
-        const double F3x = F4x + 0.0001788 * e3x;
         const double l3y = 0.045 * s2;
-        const double n2 = t25 + l3x * F3y + l3y * F3x;
+        const double n2 = t25 + l3x * (F4y + 0.0001788 * e3y) + l3y * (F4x + 0.0001788 * e3x);
         const double j2u = 2.4218999999999996e-05 * c2;
-        const double j2xy = s2 * j2u;
         const double S3x = j3x1 + j4x1;
-        const double K2yx = j2xy + K3yx + l3y * S3x;
-        const double t2_3 = n2 + w1zz * K2yx;
+        const double K2yx = s2 * j2u + K3yx + l3y * S3x;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
             * K4yx;
-        const double w_2y = qd[state] + qd[state];
         const double t26 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + l4x * j4x1
             + l3x * S3x;
-        const double S2x = j2x1 + S3x;
-        const double a1y = g[state] * s1 - g[1 * n + state] * c1;
-        const double N1z = qdd[state] * (t26 + 7.2501e-07) + a1y * S2x - w_2y * R2yx;
-        tau[state] = N1z;
-        tau[1 * n + state] = t2_3;
-        tau[2 * n + state] = t3_3;
-        tau[3 * n + state] = t4_3;
+        const double t27 = qdd[state] * (t26 + 7.2501e-07) + (g[state] * s1 - g[1 * n + state] * c1)
+            * (j2x1 + S3x);
+        tau[state] = t27 - (qd[state] + qd[state]) * R2yx;
+        tau[1 * n + state] = n2 + w1zz * K2yx;
+        tau[2 * n + state] = n3 + w1zz * K3yx;
+        tau[3 * n + state] = n4 + w1zz * K4yx;
         tau[4 * n + state] = N1z_2;
         tau[5 * n + state] = t2_2;
         tau[6 * n + state] = t3_2;

@@ -36,25 +36,17 @@ void middle_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q,
         double s3, c3;
         sinew_sincos(phi3, &s3, &c3);
         const double R41x = c1 * c4;
-        const double R41y = c1 * s4;
-        const double l4x = 0.032184 * c3;
-        const double l3x = 0.0436104 * c2;
-        const double o4x = l3x + l4x;
-        const double t1 = 0.00648 + o4x;
+        const double t1 = 0.00648 + (0.0436104 * c2 + 0.032184 * c3);
         const double ptipx = c1 * t1 - 0.006156 * s1 + 0.021708 * R41x;
         const double R42x = s1 * c4;
-        const double R42y = s1 * s4;
         const double ptipy = s1 * t1 + 0.006156 * c1 + 0.021708 * R42x;
-        const double l4y = 0.032184 * s3;
-        const double l3y = 0.0436104 * s2;
-        const double o4y = l3y + l4y;
-        const double ptipz = o4y + 0.021708 * s4;
+        const double ptipz = 0.0436104 * s2 + 0.032184 * s3 + 0.021708 * s4;
         T[state] = R41x;
-        T[1 * n + state] = -R41y;
+        T[1 * n + state] = -(c1 * s4);
         T[2 * n + state] = s1;
         T[3 * n + state] = ptipx;
         T[4 * n + state] = R42x;
-        T[5 * n + state] = -R42y;
+        T[5 * n + state] = -(s1 * s4);
         T[6 * n + state] = -c1;
         T[7 * n + state] = ptipy;
         T[8 * n + state] = s4;
@@ -83,29 +75,19 @@ void middle_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q, double
         sinew_sincos(phi3, &s3, &c3);
         double s4, c4;
         sinew_sincos(phi4, &s4, &c4);
-        const double l4x = 0.032184 * c3;
         const double l3x = 0.0436104 * c2;
-        const double o4x = l3x + l4x;
+        const double o4x = l3x + 0.032184 * c3;
         const double p2y = 0.00648 * s1;
         const double p4y = p2y + s1 * o4x;
         const double ptipy = p4y + 0.006156 * c1 + 0.021708 * s1 * c4;
-        const double l4y = 0.032184 * s3;
         const double l3y = 0.0436104 * s2;
-        const double o4y = l3y + l4y;
+        const double o4y = l3y + 0.032184 * s3;
         const double ptipz = o4y + 0.021708 * s4;
         const double arm3_4 = l3y - ptipz;
         const double arm4_4 = o4y - ptipz;
         const double p2x = 0.00648 * c1;
         const double p4x = p2x + c1 * o4x;
         const double ptipx = p4x - 0.006156 * s1 + 0.021708 * c1 * c4;
-        const double arm2 = p2x - ptipx;
-        const double arm2_2 = p2y - ptipy;
-        const double p3x = p2x + c1 * l3x;
-        const double arm3 = p3x - ptipx;
-        const double p3y = p2y + s1 * l3x;
-        const double arm3_2 = p3y - ptipy;
-        const double arm4 = p4x - ptipx;
-        const double arm4_2 = p4y - ptipy;
         const double t1 = -c1;
         J[state] = -ptipy;
         J[1 * n + state] = -(c1 * ptipz);
@@ -116,9 +98,9 @@ void middle_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q, double
         J[6 * n + state] = s1 * arm3_4;
         J[7 * n + state] = s1 * arm4_4;
         J[8 * n + state] = 0.0;
-        J[9 * n + state] = -(c1 * arm2 + s1 * arm2_2);
-        J[10 * n + state] = -(c1 * arm3 + s1 * arm3_2);
-        J[11 * n + state] = -(c1 * arm4 + s1 * arm4_2);
+        J[9 * n + state] = -(c1 * (p2x - ptipx) + s1 * (p2y - ptipy));
+        J[10 * n + state] = -(c1 * (p2x + c1 * l3x - ptipx) + s1 * (p2y + s1 * l3x - ptipy));
+        J[11 * n + state] = -(c1 * (p4x - ptipx) + s1 * (p4y - ptipy));
         J[12 * n + state] = 0.0;
         J[13 * n + state] = s1;
         J[14 * n + state] = s1;
@@ -147,40 +129,30 @@ void middle_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double 
         sinew_sincos(phi3, &s3, &c3);
         double s4, c4;
         sinew_sincos(phi4, &s4, &c4);
-        const double j3u = 6.456086078646624e-06 * c3;
-        const double j2u = 2.8647619337126362e-05 * c2;
-        const double j4u = 5.59611012330976e-07 * c4;
+        const double t1 = c2 * (2.8647619337126362e-05 * c2) + c3 * (6.456086078646624e-06 * c3)
+            + c4 * (5.59611012330976e-07 * c4);
         const double l4x = 0.032184 * c3;
         const double l3x = 0.0436104 * c2;
-        const double o4x = l3x + l4x;
         const double j4x1 = 4.101874214400001e-05 * c4;
         const double j3x1 = 0.000243255426048 * c3;
-        const double t1 = l4x * j4x1;
+        const double t2 = l4x * j4x1;
         const double S3x = j3x1 + j4x1;
-        const double t2 = l3x * S3x;
-        const double j2x1 = 0.0007416433467648001 * c2;
-        const double S2x = j2x1 + S3x;
-        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2
-            + 0.01296 * S2x;
-        const double Z1 = t3 + 1.5994773031234242e-06;
+        const double t3 = l3x * S3x;
+        const double t4 = t1 + (l3x + l4x) * j4x1 + l3x * j3x1 + t2 + t3 + 0.01296
+            * (0.0007416433467648001 * c2 + S3x);
         const double j4yz = 2.3700629210803204e-07 * s4;
-        const double j3yz = 1.031159751017472e-06 * s3;
-        const double K3yz = j3yz + j4yz;
-        const double j2yz = 1.8422420733637633e-06 * s2;
-        const double K2yz = j2yz + K3yz;
+        const double K3yz = 1.031159751017472e-06 * s3 + j4yz;
+        const double K2yz = 1.8422420733637633e-06 * s2 + K3yz;
         const double j4y1 = 4.101874214400001e-05 * s4;
-        const double j3y1 = 0.000243255426048 * s3;
-        const double S3y = j3y1 + j4y1;
         const double l3y = 0.0436104 * s2;
-        const double lS3 = t2 + l3y * S3y;
-        const double l4y = 0.032184 * s3;
-        const double lS4 = t1 + l4y * j4y1;
+        const double lS3 = t3 + l3y * (0.000243255426048 * s3 + j4y1);
+        const double lS4 = t2 + 0.032184 * s3 * j4y1;
         const double Z3 = 7.2197704349776e-06 + (lS4 + lS4);
         const double Z2 = 2.8851692681126364e-05 + Z3 + (lS3 + lS3);
         const double M_4 = Z3 + lS3;
         const double M_2 = 6.27635460330976e-07 + lS4;
         const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
-        M[state] = Z1;
+        M[state] = t4 + 1.5994773031234242e-06;
         M[1 * n + state] = K2yz;
         M[2 * n + state] = K3yz;
         M[3 * n + state] = j4yz;
@@ -215,78 +187,57 @@ void middle_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q,
         sinew_sincos(phi4, &s4, &c4);
         const double l4x = 0.032184 * c3;
         const double l3x = 0.0436104 * c2;
-        const double o4x = l3x + l4x;
         const double j4y1 = 4.101874214400001e-05 * s4;
-        const double K4yx = s4 * 5.59611012330976e-07 * c4 + o4x * j4y1;
+        const double K4yx = s4 * 5.59611012330976e-07 * c4 + (l3x + l4x) * j4y1;
         const double j3y1 = 0.000243255426048 * s3;
         const double j4x1 = 4.101874214400001e-05 * c4;
         const double l4y = 0.032184 * s3;
         const double t1 = l4y * j4x1;
         const double K3yx = s3 * 6.456086078646624e-06 * c3 + K4yx + l3x * j3y1 + t1;
         const double j3x1 = 0.000243255426048 * c3;
-        const double S3x = j3x1 + j4x1;
         const double l3y = 0.0436104 * s2;
-        const double t2 = l3y * S3x;
+        const double t2 = l3y * (j3x1 + j4x1);
         const double K2yx = s2 * 2.8647619337126362e-05 * c2 + K3yx + t2;
         const double E2wQxx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n
             + state] * K4yx;
         const double S3y = j3y1 + j4y1;
-        const double j2y1 = 0.0007416433467648001 * s2;
-        const double S2y = j2y1 + S3y;
+        const double S2y = 0.0007416433467648001 * s2 + S3y;
         const double E2wpx = qd[1 * n + state] * S2y + qd[2 * n + state] * S3y + qd[3 * n + state]
             * j4y1;
-        const double E2sQxx = E2wQxx + 0.00648 * E2wpx;
         const double cD2y = qd[state] * K2yx;
-        const double j4xz = 2.3700629210803204e-07 * c4;
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
         const double w4z = qd[3 * n + state] + w3z;
-        const double T4y = j4xz * w4z;
-        const double j3xz = 1.031159751017472e-06 * c3;
-        const double T3y = T4y + j3xz * w3z;
+        const double T4y = 2.3700629210803204e-07 * c4 * w4z;
+        const double T3y = T4y + 1.031159751017472e-06 * c3 * w3z;
         const double do2y = 0.00648 * qd[state];
         const double t3 = do2y * S2y;
         const double cH2z = T3y + qd[1 * n + state] * 1.8422420733637633e-06 * c2 - cD2y - t3;
         const double cD3y = qd[state] * K3yx;
-        const double cH3y = T3y - cD3y;
         const double t4 = do2y * S3y;
-        const double cH3z_2 = cH3y - t4;
         const double cD4y = qd[state] * K4yx;
-        const double cH4y = T4y - cD4y;
         const double t5 = do2y * j4y1;
-        const double cH4z_2 = cH4y - t5;
-        const double cD2z_2 = cD2y + t3;
         const double G4y = j4y1 * w4z;
         const double G4x = j4x1 * w4z;
         const double C_2 = l4x * G4y - l4y * G4x;
-        const double X4 = l4x * j4y1 - t1;
-        const double C_3 = w3z * X4;
+        const double C_3 = w3z * (l4x * j4y1 - t1);
         const double Y3 = C_2 - C_3;
-        const double X3 = l3x * S3y - t2;
-        const double C_8 = Y3 - qd[1 * n + state] * X3;
-        const double G3y = G4y + j3y1 * w3z;
-        const double t6 = l3x * G3y;
-        const double G3x = G4x + j3x1 * w3z;
-        const double t7 = l3y * G3x;
-        const double Y2 = C_8 + t6 - t7;
-        const double C_10 = Y3 + t6 - t7;
-        const double C_6 = C_2 + l3x * G4y - l3y * G4x;
-        const double cD3z_2 = cD3y + t4;
-        const double cD4z_2 = cD4y + t5;
-        const double X3_2 = l3x * j4y1 - l3y * j4x1;
-        const double C_4 = C_3 + qd[1 * n + state] * X3_2;
-        C[state] = -E2sQxx;
+        const double C_8 = Y3 - qd[1 * n + state] * (l3x * S3y - t2);
+        const double t6 = l3x * (G4y + j3y1 * w3z);
+        const double t7 = l3y * (G4x + j3x1 * w3z);
+        const double C_4 = C_3 + qd[1 * n + state] * (l3x * j4y1 - l3y * j4x1);
+        C[state] = -(E2wQxx + 0.00648 * E2wpx);
         C[1 * n + state] = cH2z;
-        C[2 * n + state] = cH3z_2;
-        C[3 * n + state] = cH4z_2;
-        C[4 * n + state] = cD2z_2;
-        C[5 * n + state] = -Y2;
-        C[6 * n + state] = -C_10;
-        C[7 * n + state] = -C_6;
-        C[8 * n + state] = cD3z_2;
+        C[2 * n + state] = T3y - cD3y - t4;
+        C[3 * n + state] = T4y - cD4y - t5;
+        C[4 * n + state] = cD2y + t3;
+        C[5 * n + state] = -(C_8 + t6 - t7);
+        C[6 * n + state] = -(Y3 + t6 - t7);
+        C[7 * n + state] = -(C_2 + l3x * G4y - l3y * G4x);
+        C[8 * n + state] = cD3y + t4;
         C[9 * n + state] = -C_8;
         C[10 * n + state] = -Y3;
         C[11 * n + state] = -C_2;
-        C[12 * n + state] = cD4z_2;
+        C[12 * n + state] = cD4y + t5;
         C[13 * n + state] = C_4;
         C[14 * n + state] = C_3;
         C[15 * n + state] = 0.0;
@@ -299,18 +250,16 @@ void middle_gravity_batch(int count, const double *SINEW_RESTRICT q, double *SIN
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
         const double phi3 = q[1 * n + state] + q[2 * n + state];
-        const double phi4 = q[3 * n + state] + phi3;
         double s1, c4;
-        sinew_sincos(phi4, &s1, &c4);
+        sinew_sincos(q[3 * n + state] + phi3, &s1, &c4);
         double s2, c3;
         sinew_sincos(phi3, &s2, &c3);
         double s3, c2;
         sinew_sincos(q[1 * n + state], &s3, &c2);
         const double n4 = 0.0004023938604326401 * c4;
         const double n3 = n4 + 0.00238633572953088 * c3;
-        const double n2 = n3 + 0.007275521231762689 * c2;
         g[state] = 0.0;
-        g[1 * n + state] = n2;
+        g[1 * n + state] = n3 + 0.007275521231762689 * c2;
         g[2 * n + state] = n3;
         g[3 * n + state] = n4;
     }
@@ -333,22 +282,18 @@ void middle_bias_batch(int count, const double *SINEW_RESTRICT q, const double *
         const double l3x = 0.0436104 * c2;
         const double o3x = 0.00648 + l3x;
         const double l4x = 0.032184 * c3;
-        const double o4x = o3x + l4x;
         const double j4y1 = 4.101874214400001e-05 * s4;
-        const double K4yx = s4 * 5.59611012330976e-07 * c4 + o4x * j4y1;
+        const double K4yx = s4 * 5.59611012330976e-07 * c4 + (o3x + l4x) * j4y1;
         const double j3y1 = 0.000243255426048 * s3;
         const double j4x1 = 4.101874214400001e-05 * c4;
-        const double l4y = 0.032184 * s3;
-        const double t1 = l4y * j4x1;
+        const double t1 = 0.032184 * s3 * j4x1;
         const double K3yx = s3 * 6.456086078646624e-06 * c3 + K4yx + o3x * j3y1 + t1;
-        const double j2u = 2.8647619337126362e-05 * c2;
         const double j3x1 = 0.000243255426048 * c3;
-        const double S3x = j3x1 + j4x1;
         const double l3y = 0.0436104 * s2;
-        const double K2yx = s2 * (j2u + 4.805848887035905e-06) + K3yx + l3y * S3x;
+        const double K2yx = s2 * (2.8647619337126362e-05 * c2 + 4.805848887035905e-06) + K3yx + l3y
+            * (j3x1 + j4x1);
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
             * K4yx;
-        const double w_2y = qd[state] + qd[state];
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
         const double w4z = qd[3 * n + state] + w3z;
         const double w4zz = w4z * w4z;
@@ -356,7 +301,6 @@ void middle_bias_batch(int count, const double *SINEW_RESTRICT q, const double *
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
         const double t2 = 2.3700629210803204e-07 * c4 * w4zz + 1.031159751017472e-06 * c3 * w3zz
             + 1.8422420733637633e-06 * c2 * w2zz;
-        const double Q2y = t2 - w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double X3_4 = l4x * j4y1 - t1;
         const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
@@ -364,13 +308,10 @@ void middle_bias_batch(int count, const double *SINEW_RESTRICT q, const double *
         const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
         const double n2 = n3 + 0.007275521231762689 * c2 - w3zz * X2_3 - w4zz * X2_4;
         const double w1zz = qd[state] * qd[state];
-        const double t2_2 = n2 + w1zz * K2yx;
-        const double t3 = n3 + w1zz * K3yx;
-        const double t4 = n4 + w1zz * K4yx;
-        h[state] = Q2y;
-        h[1 * n + state] = t2_2;
-        h[2 * n + state] = t3;
-        h[3 * n + state] = t4;
+        h[state] = t2 - (qd[state] + qd[state]) * R2yx;
+        h[1 * n + state] = n2 + w1zz * K2yx;
+        h[2 * n + state] = n3 + w1zz * K3yx;
+        h[3 * n + state] = n4 + w1zz * K4yx;
     }
 }
 
@@ -403,18 +344,14 @@ void middle_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q
             * j2x1;
         const double S3x = j3x1 + j4x1;
         const double t3 = l3x * S3x;
-        const double S2x = j2x1 + S3x;
-        const double Z1 = t2 + t3 + 0.00648 * S2x + 1.5994773031234242e-06;
+        const double Z1 = t2 + t3 + 0.00648 * (j2x1 + S3x) + 1.5994773031234242e-06;
         const double j4yz = 2.3700629210803204e-07 * s4;
-        const double j3yz = 1.031159751017472e-06 * s3;
-        const double K3yz = j3yz + j4yz;
-        const double j2yz = 1.8422420733637633e-06 * s2;
-        const double K2yz = j2yz + K3yz;
+        const double K3yz = 1.031159751017472e-06 * s3 + j4yz;
+        const double K2yz = 1.8422420733637633e-06 * s2 + K3yz;
         const double j4y1 = 4.101874214400001e-05 * s4;
         const double j3y1 = 0.000243255426048 * s3;
-        const double S3y = j3y1 + j4y1;
         const double l3y = 0.0436104 * s2;
-        const double lS3 = t3 + l3y * S3y;
+        const double lS3 = t3 + l3y * (j3y1 + j4y1);
         const double l4y = 0.032184 * s3;
         const double lS4 = t1 + l4y * j4y1;
         const double Z3 = 7.2197704349776e-06 + (lS4 + lS4);
@@ -422,15 +359,12 @@ void middle_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q
         const double M_4 = Z3 + lS3;
         const double M_2 = 6.27635460330976e-07 + lS4;
         const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
-        const double j4xy = s4 * j4u;
-        const double K4yx = j4xy + o4x * j4y1;
-        const double j3xy = s3 * j3u;
+        const double K4yx = s4 * j4u + o4x * j4y1;
         const double t4 = l4y * j4x1;
-        const double K3yx = j3xy + K4yx + o3x * j3y1 + t4;
+        const double K3yx = s3 * j3u + K4yx + o3x * j3y1 + t4;
         const double K2yx = s2 * (j2u + 4.805848887035905e-06) + K3yx + l3y * S3x;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
             * K4yx;
-        const double w_2y = qd[state] + qd[state];
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
         const double w4z = qd[3 * n + state] + w3z;
         const double w4zz = w4z * w4z;
@@ -438,7 +372,6 @@ void middle_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
         const double t5 = 2.3700629210803204e-07 * c4 * w4zz + 1.031159751017472e-06 * c3 * w3zz
             + 1.8422420733637633e-06 * c2 * w2zz;
-        const double Q2y = t5 - w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double X3_4 = l4x * j4y1 - t4;
         const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
@@ -446,9 +379,6 @@ void middle_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q
         const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
         const double n2 = n3 + 9.81 * j2x1 - w3zz * X2_3 - w4zz * X2_4;
         const double w1zz = qd[state] * qd[state];
-        const double t2_2 = n2 + K2yx * w1zz;
-        const double t3_2 = n3 + K3yx * w1zz;
-        const double t4_2 = n4 + K4yx * w1zz;
         M[state] = Z1;
         M[1 * n + state] = K2yz;
         M[2 * n + state] = K3yz;
@@ -465,10 +395,10 @@ void middle_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q
         M[13 * n + state] = M_2_2;
         M[14 * n + state] = M_2;
         M[15 * n + state] = 6.27635460330976e-07;
-        h[state] = Q2y;
-        h[1 * n + state] = t2_2;
-        h[2 * n + state] = t3_2;
-        h[3 * n + state] = t4_2;
+        h[state] = t5 - (qd[state] + qd[state]) * R2yx;
+        h[1 * n + state] = n2 + K2yx * w1zz;
+        h[2 * n + state] = n3 + K3yx * w1zz;
+        h[3 * n + state] = n4 + K4yx * w1zz;
     }
 }
 
@@ -492,7 +422,6 @@ void middle_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double j3x1 = 0.000243255426048 * c3;
         const double j4x1 = 4.101874214400001e-05 * c4;
         const double S3x = j3x1 + j4x1;
-        const double S2x = j2x1 + S3x;
         const double l3x = 0.0436104 * c2;
         const double t1 = l3x * S3x;
         const double l4x = 0.032184 * c3;
@@ -504,8 +433,7 @@ void middle_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double j3u = 6.456086078646624e-06 * c3;
         const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t2 + 0.00648
             * j2x1;
-        const double j3yz = 1.031159751017472e-06 * s3;
-        const double K3yz = j3yz + j4yz;
+        const double K3yz = 1.031159751017472e-06 * s3 + j4yz;
         const double l4y = 0.032184 * s3;
         const double j4y1 = 4.101874214400001e-05 * s4;
         const double lS4 = t2 + l4y * j4y1;
@@ -513,61 +441,49 @@ void middle_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double L4_3 = 1593281.5514799978 * M;
         const double A3_1 = K3yz - j4yz * L4_3;
         const double Z3 = 7.2197704349776e-06 + (lS4 + lS4);
-        const double A3_3 = Z3 - M * L4_3;
-        const double r3 = 1.0 / A3_3;
+        const double r3 = 1.0 / (Z3 - M * L4_3);
         const double L3_1 = A3_1 * r3;
-        const double j2yz = 1.8422420733637633e-06 * s2;
-        const double K2yz = j2yz + K3yz;
         const double l3y = 0.0436104 * s2;
         const double M_2 = M + l3x * j4x1 + l3y * j4y1;
         const double L4_2 = 1593281.5514799978 * M_2;
-        const double A2_1 = K2yz - j4yz * L4_2;
+        const double A2_1 = 1.8422420733637633e-06 * s2 + K3yz - j4yz * L4_2;
         const double j3y1 = 0.000243255426048 * s3;
-        const double S3y = j3y1 + j4y1;
-        const double lS3 = t1 + l3y * S3y;
-        const double M_4 = Z3 + lS3;
-        const double A3_2 = M_4 - M_2 * L4_3;
+        const double lS3 = t1 + l3y * (j3y1 + j4y1);
+        const double A3_2 = Z3 + lS3 - M_2 * L4_3;
         const double L3_2 = A3_2 * r3;
         const double A2_1_2 = A2_1 - A3_1 * L3_2;
         const double Z2 = 2.8851692681126364e-05 + Z3 + (lS3 + lS3);
-        const double A2_2 = Z2 - M_2 * L4_2;
-        const double A2_2_2 = A2_2 - A3_2 * L3_2;
-        const double r2 = 1.0 / A2_2_2;
+        const double r2 = 1.0 / (Z2 - M_2 * L4_2 - A3_2 * L3_2);
         const double L2_1 = A2_1_2 * r2;
-        const double A1_1_4 = t3 + t1 + 0.00648 * S2x - j4yz * L4_1 - A3_1 * L3_1 - A2_1_2 * L2_1
-            + 1.5994773031234242e-06;
-        const double r1 = 1.0 / A1_1_4;
+        const double t4 = t3 + t1 + 0.00648 * (j2x1 + S3x) - j4yz * L4_1 - A3_1 * L3_1 - A2_1_2
+            * L2_1;
         const double w1zz = qd[state] * qd[state];
-        const double j4xy = s4 * j4u;
-        const double K4yx = j4xy + o4x * j4y1;
+        const double K4yx = s4 * j4u + o4x * j4y1;
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
         const double w3zz = w3z * w3z;
-        const double t4 = l4y * j4x1;
-        const double X3_4 = l4x * j4y1 - t4;
+        const double t5 = l4y * j4x1;
+        const double X3_4 = l4x * j4y1 - t5;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
         const double y4 = tau[3 * n + state] - n4 - K4yx * w1zz;
         const double w4z = qd[3 * n + state] + w3z;
         const double w4zz = w4z * w4z;
-        const double t5 = tau[state] - 2.3700629210803204e-07 * c4 * w4zz - 1.031159751017472e-06
+        const double t6 = tau[state] - 2.3700629210803204e-07 * c4 * w4zz - 1.031159751017472e-06
             * c3 * w3zz;
-        const double w_2y = qd[state] + qd[state];
-        const double j3xy = s3 * j3u;
-        const double K3yx = j3xy + K4yx + o3x * j3y1 + t4;
+        const double K3yx = s3 * j3u + K4yx + o3x * j3y1 + t5;
         const double K2yx = s2 * (j2u + 4.805848887035905e-06) + K3yx + l3y * S3x;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
             * K4yx;
+        const double t7 = t6 - 1.8422420733637633e-06 * c2 * w2zz + (qd[state] + qd[state]) * R2yx
+            - y4 * L4_1;
         const double X2_3 = l3x * j3y1 - l3y * j3x1;
         const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
         const double b3 = tau[2 * n + state] - n3 - K3yx * w1zz - y4 * L4_3;
-        const double t6 = t5 - 1.8422420733637633e-06 * c2 * w2zz + w_2y * R2yx - y4 * L4_1 - b3
-            * L3_1;
-        const double t7 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx
+        const double t8 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx
             * w1zz;
-        const double b2_2 = t7 - y4 * L4_2 - b3 * L3_2;
-        const double b1_4 = t6 - b2_2 * L2_1;
-        const double x1 = b1_4 * r1;
+        const double b2_2 = t8 - y4 * L4_2 - b3 * L3_2;
+        const double x1 = (t7 - b3 * L3_1 - b2_2 * L2_1) * (1.0 / (t4 + 1.5994773031234242e-06));
         const double x2 = b2_2 * r2 - L2_1 * x1;
         const double x3 = b3 * r3 - L3_2 * x2 - L3_1 * x1;
         const double x4 = 1593281.5514799978 * y4 - L4_3 * x3 - L4_2 * x2 - L4_1 * x1;
@@ -597,71 +513,57 @@ void middle_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double al3z = qdd[1 * n + state] + qdd[2 * n + state];
         const double e3y = c3 * al3z - s3 * w3zz;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
-        const double e2y = qdd[1 * n + state] * c2 - s2 * w2zz;
-        const double a3y = 9.81 + 0.0436104 * e2y;
-        const double a4y = a3y + 0.032184 * e3y;
+        const double a3y = 9.81 + 0.0436104 * (qdd[1 * n + state] * c2 - s2 * w2zz);
         const double j4x1 = 4.101874214400001e-05 * c4;
         const double al4z = qdd[3 * n + state] + al3z;
         const double e3x = c3 * w3zz + s3 * al3z;
         const double e2x = qdd[1 * n + state] * s2 + c2 * w2zz;
         const double a3x = 0.0436104 * e2x;
-        const double a4x = a3x + 0.032184 * e3x;
         const double j4y1 = 4.101874214400001e-05 * s4;
-        const double n4 = 6.27635460330976e-07 * al4z + j4x1 * a4y + j4y1 * a4x;
+        const double n4 = 6.27635460330976e-07 * al4z + j4x1 * (a3y + 0.032184 * e3y) + j4y1 * (a3x
+            + 0.032184 * e3x);
         const double j4yz = 2.3700629210803204e-07 * s4;
         const double l3x = 0.0436104 * c2;
         const double o3x = 0.00648 + l3x;
         const double l4x = 0.032184 * c3;
         const double o4x = o3x + l4x;
         const double j4u = 5.59611012330976e-07 * c4;
-        const double j4xy = s4 * j4u;
-        const double K4yx = j4xy + o4x * j4y1;
+        const double K4yx = s4 * j4u + o4x * j4y1;
         const double w1zz = qd[state] * qd[state];
-        const double t4 = n4 + qdd[state] * j4yz + w1zz * K4yx;
         const double j3x1 = 0.000243255426048 * c3;
         const double j3y1 = 0.000243255426048 * s3;
         const double w4z = qd[3 * n + state] + w3z;
         const double w4zz = w4z * w4z;
-        const double e4y = c4 * al4z - s4 * w4zz;
-        const double F4y = 4.101874214400001e-05 * e4y;
+        const double F4y = 4.101874214400001e-05 * (c4 * al4z - s4 * w4zz);
         const double e4x = c4 * w4zz + s4 * al4z;
         const double F4x = 4.101874214400001e-05 * e4x;
         const double l4y = 0.032184 * s3;
         const double n3 = n4 + 6.592134974646623e-06 * al3z + j3x1 * a3y + j3y1 * a3x + l4x * F4y
             + l4y * F4x;
-        const double j3yz = 1.031159751017472e-06 * s3;
-        const double K3yz = j3yz + j4yz;
+        const double K3yz = 1.031159751017472e-06 * s3 + j4yz;
         const double j3u = 6.456086078646624e-06 * c3;
-        const double j3xy = s3 * j3u;
-        const double K3yx = j3xy + K4yx + o3x * j3y1 + l4y * j4x1;
-        const double t3 = n3 + qdd[state] * K3yz + w1zz * K3yx;
+        const double K3yx = s3 * j3u + K4yx + o3x * j3y1 + l4y * j4x1;
         const double j2x1 = 0.0007416433467648001 * c2;
-        const double F3y = F4y + 0.000243255426048 * e3y;
         const double t1 = n3 + 2.8851692681126364e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x
-            * F3y;
-        const double F3x = F4x + 0.000243255426048 * e3x;
+            * (F4y + 0.000243255426048 * e3y);
         const double l3y = 0.0436104 * s2;
-        const double n2 = t1 + l3y * F3x;
-        const double j2yz = 1.8422420733637633e-06 * s2;
-        const double K2yz = j2yz + K3yz;
+        const double n2 = t1 + l3y * (F4x + 0.000243255426048 * e3x);
         const double j2u = 2.8647619337126362e-05 * c2;
         const double S3x = j3x1 + j4x1;
         const double K2yx = s2 * (j2u + 4.805848887035905e-06) + K3yx + l3y * S3x;
-        const double t2 = n2 + qdd[state] * K2yz + w1zz * K2yx;
+        const double t2 = n2 + qdd[state] * (1.8422420733637633e-06 * s2 + K3yz) + w1zz * K2yx;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
             * K4yx;
-        const double w_2y = qd[state] + qd[state];
-        const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1
+        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1
             + 0.00648 * j2x1;
-        const double S2x = j2x1 + S3x;
-        const double t6 = qdd[state] * (t5 + l3x * S3x + 0.00648 * S2x + 1.599477303123424e-06)
-            + 2.3700629210803204e-07 * e4x;
-        const double N1z = t6 + 1.031159751017472e-06 * e3x + 1.8422420733637633e-06 * e2x - w_2y
-            * R2yx;
-        tau[state] = N1z;
+        const double t4 = qdd[state] * (t3 + l3x * S3x + 0.00648 * (j2x1 + S3x)
+            + 1.599477303123424e-06);
+        const double t5 = t4 + 2.3700629210803204e-07 * e4x + 1.031159751017472e-06 * e3x
+            + 1.8422420733637633e-06 * e2x;
+        tau[state] = t5 - (qd[state] + qd[state]) * R2yx;
         tau[1 * n + state] = t2;
-        tau[2 * n + state] = t3;
-        tau[3 * n + state] = t4;
+        tau[2 * n + state] = n3 + qdd[state] * K3yz + w1zz * K3yx;
+        tau[3 * n + state] = n4 + qdd[state] * j4yz + w1zz * K4yx;
     }
 }
 
@@ -763,13 +665,10 @@ void middle_joint_stiffness_batch(int count, const double *SINEW_RESTRICT q,
         const double t4 = 4.225e-05 * kt[3 * n + state];
         const double K1_1 = t1 + t2 + t3 + t4;
         const double K1_2 = t1 - t2 - t3 + t4;
-        const double w7_3 = 0.0055 * kt[6 * n + state];
-        const double w8_3 = 0.0055 * kt[7 * n + state];
-        const double t5 = w7_3 + w8_3;
+        const double t5 = 0.0055 * kt[6 * n + state] + 0.0055 * kt[7 * n + state];
         const double K3_3 = 3.0249999999999997e-05 * (kt[4 * n + state] + kt[5 * n + state])
             + 0.0055 * t5;
-        const double K3_4 = 0.0045 * t5;
-        const double t6 = -K3_4;
+        const double t6 = -(0.0045 * t5);
         const double K4_4 = 2.0249999999999998e-05 * (kt[6 * n + state] + kt[7 * n + state]);
         K[state] = K1_1;
         K[1 * n + state] = K1_2;

@@ -40,8 +40,7 @@ void motor_ripple_torque_batch(int count, const double *SINEW_RESTRICT theta,
         sinew_sincos(0.3 + theta[state], &s1, &c2);
         double s3, c4;
         sinew_sincos(1.1 + 100.0 * theta[state], &s3, &c4);
-        const double ripple = 0.02 * s1 + 0.04 * s3;
-        tau[state] = -ripple;
+        tau[state] = -(0.02 * s1 + 0.04 * s3);
     }
 }
 
@@ -56,10 +55,9 @@ void motor_acceleration_batch(int count, const double *SINEW_RESTRICT theta,
         sinew_sincos(0.3 + theta[state], &s1, &c2);
         double s3, c4;
         sinew_sincos(1.1 + 100.0 * theta[state], &s3, &c4);
-        const double ripple = 0.02 * s1 + 0.04 * s3;
         const double friction = 0.0356 * qd[state] + 0.5586 * sinew_atan(10.0 * qd[state]);
-        const double acceleration = 487.8048780487805 * (friction - tau_m[state] + ripple)
-            + 2.4390243902439024 * f[state];
+        const double acceleration = 487.8048780487805 * (friction - tau_m[state] + (0.02 * s1 + 0.04
+            * s3)) + 2.4390243902439024 * f[state];
         qdd[state] = -acceleration;
     }
 }
@@ -74,9 +72,8 @@ void motor_compensation_torque_batch(int count, const double *SINEW_RESTRICT the
         sinew_sincos(0.3 + theta[state], &s1, &c2);
         double s3, c4;
         sinew_sincos(1.1 + 100.0 * theta[state], &s3, &c4);
-        const double ripple = 0.02 * s1 + 0.04 * s3;
         const double friction = 0.0356 * qd[state] + 0.5586 * sinew_atan(10.0 * qd[state]);
-        tau[state] = 0.9 * (friction + ripple);
+        tau[state] = 0.9 * (friction + (0.02 * s1 + 0.04 * s3));
         margin[state] = 0.1 * qd[state] * friction;
     }
 }

@@ -36,31 +36,20 @@ void ring_forward_kinematics_batch(int count, const double *SINEW_RESTRICT q,
         double s3, c3;
         sinew_sincos(phi3, &s3, &c3);
         const double R41x = c1 * c4;
-        const double R41y = c1 * s4;
-        const double l4x = 0.0298 * c3;
-        const double l3x = 0.04038 * c2;
-        const double o4x = l3x + l4x;
-        const double t1 = 0.006 + o4x;
-        const double ptipx = c1 * t1 - 0.0057 * s1 + 0.0201 * R41x;
+        const double t1 = 0.006 + (0.04038 * c2 + 0.0298 * c3);
         const double R42x = s1 * c4;
-        const double R42y = s1 * s4;
-        const double ptipy = s1 * t1 + 0.0057 * c1 + 0.0201 * R42x;
-        const double l4y = 0.0298 * s3;
-        const double l3y = 0.04038 * s2;
-        const double o4y = l3y + l4y;
-        const double ptipz = o4y + 0.0201 * s4;
         T[state] = R41x;
-        T[1 * n + state] = -R41y;
+        T[1 * n + state] = -(c1 * s4);
         T[2 * n + state] = s1;
-        T[3 * n + state] = ptipx;
+        T[3 * n + state] = c1 * t1 - 0.0057 * s1 + 0.0201 * R41x;
         T[4 * n + state] = R42x;
-        T[5 * n + state] = -R42y;
+        T[5 * n + state] = -(s1 * s4);
         T[6 * n + state] = -c1;
-        T[7 * n + state] = ptipy;
+        T[7 * n + state] = s1 * t1 + 0.0057 * c1 + 0.0201 * R42x;
         T[8 * n + state] = s4;
         T[9 * n + state] = c4;
         T[10 * n + state] = 0.0;
-        T[11 * n + state] = ptipz;
+        T[11 * n + state] = 0.04038 * s2 + 0.0298 * s3 + 0.0201 * s4;
         T[12 * n + state] = 0.0;
         T[13 * n + state] = 0.0;
         T[14 * n + state] = 0.0;
@@ -85,13 +74,11 @@ void ring_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q, double *
         sinew_sincos(phi4, &s4, &c4);
         const double p2y = 0.006 * s1;
         const double l3x = 0.04038 * c2;
-        const double l4x = 0.0298 * c3;
-        const double o4x = l3x + l4x;
+        const double o4x = l3x + 0.0298 * c3;
         const double p4y = p2y + s1 * o4x;
         const double ptipy = p4y + 0.0057 * c1 + 0.0201 * s1 * c4;
         const double l3y = 0.04038 * s2;
-        const double l4y = 0.0298 * s3;
-        const double o4y = l3y + l4y;
+        const double o4y = l3y + 0.0298 * s3;
         const double ptipz = o4y + 0.0201 * s4;
         const double arm3_4 = l3y - ptipz;
         const double t1 = 1.2222222222222223 * c1;
@@ -100,14 +87,8 @@ void ring_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q, double *
         const double p4x = p2x + c1 * o4x;
         const double ptipx = p4x - 0.0057 * s1 + 0.0201 * c1 * c4;
         const double t2 = 1.2222222222222223 * s1;
-        const double arm2 = p2x - ptipx;
-        const double arm2_2 = p2y - ptipy;
-        const double arm4_2 = p4y - ptipy;
-        const double arm4 = p4x - ptipx;
-        const double p3x = p2x + c1 * l3x;
-        const double arm3 = p3x - ptipx;
-        const double p3y = p2y + s1 * l3x;
-        const double arm3_2 = p3y - ptipy;
+        const double t3 = c1 * (p2x + c1 * l3x - ptipx) + s1 * (p2y + s1 * l3x - ptipy) + t1 * (p4x
+            - ptipx);
         J[state] = -ptipy;
         J[1 * n + state] = -(c1 * ptipz);
         J[2 * n + state] = c1 * arm3_4 + t1 * arm4_4;
@@ -115,8 +96,8 @@ void ring_tip_jacobian_batch(int count, const double *SINEW_RESTRICT q, double *
         J[4 * n + state] = -(s1 * ptipz);
         J[5 * n + state] = s1 * arm3_4 + t2 * arm4_4;
         J[6 * n + state] = 0.0;
-        J[7 * n + state] = -(c1 * arm2 + s1 * arm2_2);
-        J[8 * n + state] = -(c1 * arm3 + s1 * arm3_2 + t1 * arm4 + t2 * arm4_2);
+        J[7 * n + state] = -(c1 * (p2x - ptipx) + s1 * (p2y - ptipy));
+        J[8 * n + state] = -(t3 + t2 * (p4y - ptipy));
         J[9 * n + state] = 0.0;
         J[10 * n + state] = s1;
         J[11 * n + state] = 2.2222222222222223 * s1;
@@ -142,49 +123,36 @@ void ring_mass_matrix_batch(int count, const double *SINEW_RESTRICT q, double *S
         sinew_sincos(phi3, &s3, &c3);
         double s4, c4;
         sinew_sincos(phi4, &s4, &c4);
-        const double j3u = 4.3862e-06 * c3;
-        const double j2u = 1.94855328e-05 * c2;
-        const double j4u = 3.7701e-07 * c4;
+        const double t1 = c2 * (1.94855328e-05 * c2) + c3 * (4.3862e-06 * c3) + c4 * (3.7701e-07
+            * c4);
         const double l4x = 0.0298 * c3;
         const double l3x = 0.04038 * c2;
-        const double o4x = l3x + l4x;
         const double j4x1 = 3.015e-05 * c4;
         const double j3x1 = 0.0001788 * c3;
-        const double t1 = l4x * j4x1;
+        const double t2 = l4x * j4x1;
         const double S3x = j3x1 + j4x1;
-        const double t2 = l3x * S3x;
-        const double j2x1 = 0.00054513 * c2;
-        const double S2x = j2x1 + S3x;
-        const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2 + 0.012
-            * S2x;
-        const double Z1 = t3 + 1.1373674999999997e-06;
+        const double t3 = l3x * S3x;
+        const double t4 = t1 + (l3x + l4x) * j4x1 + l3x * j3x1 + t2 + t3 + 0.012 * (0.00054513 * c2
+            + S3x);
         const double j4yz = 1.613025e-07 * s4;
-        const double j3yz = 7.0179e-07 * s3;
-        const double K3yz = j3yz + j4yz;
-        const double j2yz = 1.253799e-06 * s2;
-        const double K2yz = j2yz + K3yz;
-        const double t4 = K3yz + 1.2222222222222223 * j4yz;
+        const double K3yz = 7.0179e-07 * s3 + j4yz;
+        const double K2yz = 1.253799e-06 * s2 + K3yz;
+        const double t5 = K3yz + 1.2222222222222223 * j4yz;
         const double j4y1 = 3.015e-05 * s4;
-        const double j3y1 = 0.0001788 * s3;
-        const double S3y = j3y1 + j4y1;
         const double l3y = 0.04038 * s2;
-        const double lS3 = t2 + l3y * S3y;
-        const double l4y = 0.0298 * s3;
-        const double lS4 = t1 + l4y * j4y1;
+        const double lS3 = t3 + l3y * (0.0001788 * s3 + j4y1);
+        const double lS4 = t2 + 0.0298 * s3 * j4y1;
         const double Z3 = 4.92521e-06 + (lS4 + lS4);
-        const double Z2 = 1.96475328e-05 + Z3 + (lS3 + lS3);
-        const double M_4 = Z3 + lS3;
         const double M_2 = 4.3101e-07 + lS4;
-        const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
-        const double t5 = M_4 + 1.2222222222222223 * M_2_2;
-        M[state] = Z1;
+        const double t6 = Z3 + lS3 + 1.2222222222222223 * (M_2 + l3x * j4x1 + l3y * j4y1);
+        M[state] = t4 + 1.1373674999999997e-06;
         M[1 * n + state] = K2yz;
-        M[2 * n + state] = t4;
+        M[2 * n + state] = t5;
         M[3 * n + state] = K2yz;
-        M[4 * n + state] = Z2;
-        M[5 * n + state] = t5;
-        M[6 * n + state] = t4;
-        M[7 * n + state] = t5;
+        M[4 * n + state] = 1.96475328e-05 + Z3 + (lS3 + lS3);
+        M[5 * n + state] = t6;
+        M[6 * n + state] = t5;
+        M[7 * n + state] = t6;
         M[8 * n + state] = 6.438544444444446e-07 + Z3 + 2.4444444444444446 * M_2;
     }
 }
@@ -205,70 +173,50 @@ void ring_coriolis_matrix_batch(int count, const double *SINEW_RESTRICT q,
         sinew_sincos(phi4, &s4, &c4);
         const double l4x = 0.0298 * c3;
         const double l3x = 0.04038 * c2;
-        const double o4x = l3x + l4x;
         const double j4y1 = 3.015e-05 * s4;
-        const double K4yx = s4 * 3.7701e-07 * c4 + o4x * j4y1;
+        const double K4yx = s4 * 3.7701e-07 * c4 + (l3x + l4x) * j4y1;
         const double j3y1 = 0.0001788 * s3;
         const double j4x1 = 3.015e-05 * c4;
         const double l4y = 0.0298 * s3;
         const double t1 = l4y * j4x1;
         const double K3yx = s3 * 4.3862e-06 * c3 + K4yx + l3x * j3y1 + t1;
         const double j3x1 = 0.0001788 * c3;
-        const double S3x = j3x1 + j4x1;
         const double l3y = 0.04038 * s2;
-        const double t2 = l3y * S3x;
+        const double t2 = l3y * (j3x1 + j4x1);
         const double K2yx = s2 * 1.94855328e-05 * c2 + K3yx + t2;
         const double t3 = 1.2222222222222223 * qd[2 * n + state];
         const double E2wQxx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t3 * K4yx;
         const double S3y = j3y1 + j4y1;
-        const double j2y1 = 0.00054513 * s2;
-        const double S2y = j2y1 + S3y;
+        const double S2y = 0.00054513 * s2 + S3y;
         const double E2wpx = qd[1 * n + state] * S2y + qd[2 * n + state] * S3y + t3 * j4y1;
-        const double E2sQxx = E2wQxx + 0.006 * E2wpx;
         const double cD2y = qd[state] * K2yx;
-        const double j4xz = 1.613025e-07 * c4;
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
         const double w4z = w3z + t3;
-        const double T4y = j4xz * w4z;
-        const double j3xz = 7.0179e-07 * c3;
-        const double T3y = T4y + j3xz * w3z;
+        const double T4y = 1.613025e-07 * c4 * w4z;
+        const double T3y = T4y + 7.0179e-07 * c3 * w3z;
         const double do2y = 0.006 * qd[state];
         const double t4 = do2y * S2y;
         const double cH2z = T3y + qd[1 * n + state] * 1.253799e-06 * c2 - cD2y - t4;
         const double cD3y = qd[state] * K3yx;
-        const double cH3y = T3y - cD3y;
         const double t5 = do2y * S3y;
         const double cD4y = qd[state] * K4yx;
-        const double cH4y = T4y - cD4y;
         const double t6 = do2y * j4y1;
-        const double cH4z_2 = cH4y - t6;
-        const double cD2z_2 = cD2y + t4;
         const double G4y = j4y1 * w4z;
         const double G4x = j4x1 * w4z;
         const double C_2 = l4x * G4y - l4y * G4x;
-        const double X4 = l4x * j4y1 - t1;
-        const double C_3 = w3z * X4;
+        const double C_3 = w3z * (l4x * j4y1 - t1);
         const double Y3 = C_2 - C_3;
-        const double X3 = l3x * S3y - t2;
-        const double C_8 = Y3 - qd[1 * n + state] * X3;
-        const double G3y = G4y + j3y1 * w3z;
-        const double t7 = l3x * G3y;
-        const double G3x = G4x + j3x1 * w3z;
-        const double t8 = l3y * G3x;
-        const double Y2 = C_8 + t7 - t8;
-        const double C_10 = Y3 + t7 - t8;
-        const double C_6 = C_2 + l3x * G4y - l3y * G4x;
-        const double cD3z_2 = cD3y + t5;
-        const double cD4z_2 = cD4y + t6;
-        const double X3_2 = l3x * j4y1 - l3y * j4x1;
-        const double C_4 = C_3 + qd[1 * n + state] * X3_2;
-        C[state] = -E2sQxx;
+        const double C_8 = Y3 - qd[1 * n + state] * (l3x * S3y - t2);
+        const double t7 = l3x * (G4y + j3y1 * w3z);
+        const double t8 = l3y * (G4x + j3x1 * w3z);
+        const double C_4 = C_3 + qd[1 * n + state] * (l3x * j4y1 - l3y * j4x1);
+        C[state] = -(E2wQxx + 0.006 * E2wpx);
         C[1 * n + state] = cH2z;
-        C[2 * n + state] = cH3y - t5 + 1.2222222222222223 * cH4z_2;
-        C[3 * n + state] = cD2z_2;
-        C[4 * n + state] = -Y2;
-        C[5 * n + state] = -(C_10 + 1.2222222222222223 * C_6);
-        C[6 * n + state] = cD3z_2 + 1.2222222222222223 * cD4z_2;
+        C[2 * n + state] = T3y - cD3y - t5 + 1.2222222222222223 * (T4y - cD4y - t6);
+        C[3 * n + state] = cD2y + t4;
+        C[4 * n + state] = -(C_8 + t7 - t8);
+        C[5 * n + state] = -(Y3 + t7 - t8 + 1.2222222222222223 * (C_2 + l3x * G4y - l3y * G4x));
+        C[6 * n + state] = cD3y + t5 + 1.2222222222222223 * (cD4y + t6);
         C[7 * n + state] = -(C_8 - 1.2222222222222223 * C_4);
         C[8 * n + state] = -(1.2222222222222223 * Y3 + Y3);
     }
@@ -289,9 +237,8 @@ void ring_gravity_batch(int count, const double *SINEW_RESTRICT q, double *SINEW
         sinew_sincos(q[1 * n + state], &s3, &c2);
         const double n4 = 0.0002957715 * c4;
         const double n3 = n4 + 0.0017540280000000001 * c3;
-        const double n2 = n3 + 0.005347725300000001 * c2;
         g[state] = 0.0;
-        g[1 * n + state] = n2;
+        g[1 * n + state] = n3 + 0.005347725300000001 * c2;
         g[2 * n + state] = n3 + 1.2222222222222223 * n4;
     }
 }
@@ -313,22 +260,17 @@ void ring_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SI
         const double l3x = 0.04038 * c2;
         const double o3x = 0.006 + l3x;
         const double l4x = 0.0298 * c3;
-        const double o4x = o3x + l4x;
         const double j4y1 = 3.015e-05 * s4;
-        const double K4yx = s4 * 3.7701e-07 * c4 + o4x * j4y1;
+        const double K4yx = s4 * 3.7701e-07 * c4 + (o3x + l4x) * j4y1;
         const double j3y1 = 0.0001788 * s3;
         const double j4x1 = 3.015e-05 * c4;
-        const double l4y = 0.0298 * s3;
-        const double t1 = l4y * j4x1;
+        const double t1 = 0.0298 * s3 * j4x1;
         const double K3yx = s3 * 4.3862e-06 * c3 + K4yx + o3x * j3y1 + t1;
-        const double j2u = 1.94855328e-05 * c2;
         const double j3x1 = 0.0001788 * c3;
-        const double S3x = j3x1 + j4x1;
         const double l3y = 0.04038 * s2;
-        const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
+        const double K2yx = s2 * (1.94855328e-05 * c2 + 3.27078e-06) + K3yx + l3y * (j3x1 + j4x1);
         const double t2 = 1.2222222222222223 * qd[2 * n + state];
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t2 * K4yx;
-        const double w_2y = qd[state] + qd[state];
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
         const double w4z = w3z + t2;
         const double w4zz = w4z * w4z;
@@ -336,7 +278,6 @@ void ring_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SI
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
         const double t3 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2
             * w2zz;
-        const double Q2y = t3 - w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double X3_4 = l4x * j4y1 - t1;
         const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
@@ -344,12 +285,9 @@ void ring_bias_batch(int count, const double *SINEW_RESTRICT q, const double *SI
         const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
         const double n2 = n3 + 0.005347725300000001 * c2 - w3zz * X2_3 - w4zz * X2_4;
         const double w1zz = qd[state] * qd[state];
-        const double t2_2 = n2 + w1zz * K2yx;
-        const double t3_2 = n3 + w1zz * K3yx;
-        const double t4 = n4 + w1zz * K4yx;
-        h[state] = Q2y;
-        h[1 * n + state] = t2_2;
-        h[2 * n + state] = t3_2 + 1.2222222222222223 * t4;
+        h[state] = t3 - (qd[state] + qd[state]) * R2yx;
+        h[1 * n + state] = n2 + w1zz * K2yx;
+        h[2 * n + state] = n3 + w1zz * K3yx + 1.2222222222222223 * (n4 + w1zz * K4yx);
     }
 }
 
@@ -382,36 +320,26 @@ void ring_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
             * j2x1;
         const double S3x = j3x1 + j4x1;
         const double t3 = l3x * S3x;
-        const double S2x = j2x1 + S3x;
-        const double Z1 = t2 + t3 + 0.006 * S2x + 1.1373674999999997e-06;
+        const double Z1 = t2 + t3 + 0.006 * (j2x1 + S3x) + 1.1373674999999997e-06;
         const double j4yz = 1.613025e-07 * s4;
-        const double j3yz = 7.0179e-07 * s3;
-        const double K3yz = j3yz + j4yz;
-        const double j2yz = 1.253799e-06 * s2;
-        const double K2yz = j2yz + K3yz;
+        const double K3yz = 7.0179e-07 * s3 + j4yz;
+        const double K2yz = 1.253799e-06 * s2 + K3yz;
         const double t4 = K3yz + 1.2222222222222223 * j4yz;
         const double j4y1 = 3.015e-05 * s4;
         const double j3y1 = 0.0001788 * s3;
-        const double S3y = j3y1 + j4y1;
         const double l3y = 0.04038 * s2;
-        const double lS3 = t3 + l3y * S3y;
+        const double lS3 = t3 + l3y * (j3y1 + j4y1);
         const double l4y = 0.0298 * s3;
         const double lS4 = t1 + l4y * j4y1;
         const double Z3 = 4.92521e-06 + (lS4 + lS4);
-        const double Z2 = 1.96475328e-05 + Z3 + (lS3 + lS3);
-        const double M_4 = Z3 + lS3;
         const double M_2 = 4.3101e-07 + lS4;
-        const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
-        const double t5 = M_4 + 1.2222222222222223 * M_2_2;
-        const double j4xy = s4 * j4u;
-        const double K4yx = j4xy + o4x * j4y1;
-        const double j3xy = s3 * j3u;
+        const double t5 = Z3 + lS3 + 1.2222222222222223 * (M_2 + l3x * j4x1 + l3y * j4y1);
+        const double K4yx = s4 * j4u + o4x * j4y1;
         const double t6 = l4y * j4x1;
-        const double K3yx = j3xy + K4yx + o3x * j3y1 + t6;
+        const double K3yx = s3 * j3u + K4yx + o3x * j3y1 + t6;
         const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
         const double t7 = 1.2222222222222223 * qd[2 * n + state];
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t7 * K4yx;
-        const double w_2y = qd[state] + qd[state];
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
         const double w4z = w3z + t7;
         const double w4zz = w4z * w4z;
@@ -419,7 +347,6 @@ void ring_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
         const double t8 = 1.613025e-07 * c4 * w4zz + 7.0179e-07 * c3 * w3zz + 1.253799e-06 * c2
             * w2zz;
-        const double Q2y = t8 - w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double X3_4 = l4x * j4y1 - t6;
         const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
@@ -427,21 +354,18 @@ void ring_mass_matrix_and_bias_batch(int count, const double *SINEW_RESTRICT q,
         const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
         const double n2 = n3 + 9.81 * j2x1 - w3zz * X2_3 - w4zz * X2_4;
         const double w1zz = qd[state] * qd[state];
-        const double t2_2 = n2 + K2yx * w1zz;
-        const double t3_2 = n3 + K3yx * w1zz;
-        const double t4_2 = n4 + K4yx * w1zz;
         M[state] = Z1;
         M[1 * n + state] = K2yz;
         M[2 * n + state] = t4;
         M[3 * n + state] = K2yz;
-        M[4 * n + state] = Z2;
+        M[4 * n + state] = 1.96475328e-05 + Z3 + (lS3 + lS3);
         M[5 * n + state] = t5;
         M[6 * n + state] = t4;
         M[7 * n + state] = t5;
         M[8 * n + state] = 6.438544444444446e-07 + Z3 + 2.4444444444444446 * M_2;
-        h[state] = Q2y;
-        h[1 * n + state] = t2_2;
-        h[2 * n + state] = t3_2 + 1.2222222222222223 * t4_2;
+        h[state] = t8 - (qd[state] + qd[state]) * R2yx;
+        h[1 * n + state] = n2 + K2yx * w1zz;
+        h[2 * n + state] = n3 + K3yx * w1zz + 1.2222222222222223 * (n4 + K4yx * w1zz);
     }
 }
 
@@ -463,7 +387,6 @@ void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double j3x1 = 0.0001788 * c3;
         const double j4x1 = 3.015e-05 * c4;
         const double S3x = j3x1 + j4x1;
-        const double S2x = j2x1 + S3x;
         const double l3x = 0.04038 * c2;
         const double t1 = l3x * S3x;
         const double l4x = 0.0298 * c3;
@@ -476,8 +399,7 @@ void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double t3 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + t2 + 0.006
             * j2x1;
         const double j4yz = 1.613025e-07 * s4;
-        const double j3yz = 7.0179e-07 * s3;
-        const double K3yz = j3yz + j4yz;
+        const double K3yz = 7.0179e-07 * s3 + j4yz;
         const double t4 = 1e+16 * K3yz + 12222222222222224.0 * j4yz;
         const double l4y = 0.0298 * s3;
         const double j4y1 = 3.015e-05 * s4;
@@ -487,25 +409,18 @@ void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double r3 = 0.40909090909090906 / (2.63395e-07 + M + 0.40909090909090906 * Z3);
         const double t5 = 1e-16 * r3;
         const double L3_1 = t5 * t4;
-        const double j2yz = 1.253799e-06 * s2;
-        const double K2yz = j2yz + K3yz;
         const double l3y = 0.04038 * s2;
-        const double M_2 = M + l3x * j4x1 + l3y * j4y1;
         const double j3y1 = 0.0001788 * s3;
-        const double S3y = j3y1 + j4y1;
-        const double lS3 = t1 + l3y * S3y;
-        const double M_4 = Z3 + lS3;
-        const double t6 = 1e+16 * M_4 + 12222222222222224.0 * M_2;
+        const double lS3 = t1 + l3y * (j3y1 + j4y1);
+        const double t6 = 1e+16 * (Z3 + lS3) + 12222222222222224.0 * (M + l3x * j4x1 + l3y * j4y1);
         const double L3_2 = t5 * t6;
         const double t7 = 1e-16 * L3_2;
-        const double A2_1 = K2yz - t7 * t4;
-        const double Z2 = 1.96475328e-05 + Z3 + (lS3 + lS3);
-        const double A2_2 = Z2 - t7 * t6;
+        const double A2_1 = 1.253799e-06 * s2 + K3yz - t7 * t4;
+        const double A2_2 = 1.96475328e-05 + Z3 + (lS3 + lS3) - t7 * t6;
         const double r2 = 1.0 / A2_2;
         const double L2_1 = A2_1 * r2;
-        const double A1_1_2 = t3 + t1 + 0.006 * S2x - 1e-16 * L3_1 * t4 - A2_1 * L2_1
+        const double A1_1_2 = t3 + t1 + 0.006 * (j2x1 + S3x) - 1e-16 * L3_1 * t4 - A2_1 * L2_1
             + 1.1373674999999997e-06;
-        const double r1 = 1.0 / A1_1_2;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
         const double w3z = qd[1 * n + state] + qd[2 * n + state];
         const double w3zz = w3z * w3z;
@@ -514,32 +429,28 @@ void ring_forward_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double w4zz = w4z * w4z;
         const double t9 = tau[state] - 1.613025e-07 * c4 * w4zz - 7.0179e-07 * c3 * w3zz
             - 1.253799e-06 * c2 * w2zz;
-        const double w_2y = qd[state] + qd[state];
-        const double j4xy = s4 * j4u;
-        const double K4yx = j4xy + o4x * j4y1;
+        const double K4yx = s4 * j4u + o4x * j4y1;
         const double t10 = l4y * j4x1;
-        const double j3xy = s3 * j3u;
-        const double K3yx = j3xy + K4yx + o3x * j3y1 + t10;
+        const double K3yx = s3 * j3u + K4yx + o3x * j3y1 + t10;
         const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t8 * K4yx;
         const double w1zz = qd[state] * qd[state];
         const double X3_4 = l4x * j4y1 - t10;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double n4 = 9.81 * j4x1 + w2zz * X2_4 + w3zz * X3_4;
-        const double t4_2 = n4 + K4yx * w1zz;
         const double X2_3 = l3x * j3y1 - l3y * j3x1;
         const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
-        const double y3 = tau[2 * n + state] - n3 - K3yx * w1zz - 1.2222222222222223 * t4_2;
+        const double y3 = tau[2 * n + state] - n3 - K3yx * w1zz - 1.2222222222222223 * (n4 + K4yx
+            * w1zz);
         const double t11 = tau[1 * n + state] - n3 - 9.81 * j2x1 + w3zz * X2_3 + w4zz * X2_4 - K2yx
             * w1zz;
         const double b2 = t11 - y3 * L3_2;
-        const double b1_2 = t9 + w_2y * R2yx - y3 * L3_1 - b2 * L2_1;
-        const double x1 = b1_2 * r1;
+        const double b1_2 = t9 + (qd[state] + qd[state]) * R2yx - y3 * L3_1 - b2 * L2_1;
+        const double x1 = b1_2 * (1.0 / A1_1_2);
         const double x2 = b2 * r2 - L2_1 * x1;
-        const double x3 = y3 * r3 - L3_2 * x2 - L3_1 * x1;
         qdd[state] = x1;
         qdd[1 * n + state] = x2;
-        qdd[2 * n + state] = x3;
+        qdd[2 * n + state] = y3 * r3 - L3_2 * x2 - L3_1 * x1;
     }
 }
 
@@ -562,67 +473,57 @@ void ring_inverse_dynamics_batch(int count, const double *SINEW_RESTRICT q,
         const double al3z = qdd[1 * n + state] + qdd[2 * n + state];
         const double e3y = c3 * al3z - s3 * w3zz;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
-        const double e2y = qdd[1 * n + state] * c2 - s2 * w2zz;
-        const double a3y = 9.81 + 0.04038 * e2y;
-        const double a4y = a3y + 0.0298 * e3y;
+        const double a3y = 9.81 + 0.04038 * (qdd[1 * n + state] * c2 - s2 * w2zz);
         const double j4x1 = 3.015e-05 * c4;
         const double al4z = al3z + 1.2222222222222223 * qdd[2 * n + state];
         const double e3x = c3 * w3zz + s3 * al3z;
         const double e2x = qdd[1 * n + state] * s2 + c2 * w2zz;
         const double a3x = 0.04038 * e2x;
-        const double a4x = a3x + 0.0298 * e3x;
         const double j4y1 = 3.015e-05 * s4;
-        const double n4 = 4.3101e-07 * al4z + j4x1 * a4y + j4y1 * a4x;
+        const double n4 = 4.3101e-07 * al4z + j4x1 * (a3y + 0.0298 * e3y) + j4y1 * (a3x + 0.0298
+            * e3x);
         const double j3x1 = 0.0001788 * c3;
         const double j3y1 = 0.0001788 * s3;
         const double t1 = 1.2222222222222223 * qd[2 * n + state];
         const double w4z = w3z + t1;
         const double w4zz = w4z * w4z;
-        const double e4y = c4 * al4z - s4 * w4zz;
-        const double F4y = 3.015e-05 * e4y;
+        const double F4y = 3.015e-05 * (c4 * al4z - s4 * w4zz);
         const double l4x = 0.0298 * c3;
         const double e4x = c4 * w4zz + s4 * al4z;
         const double F4x = 3.015e-05 * e4x;
         const double l4y = 0.0298 * s3;
         const double n3 = n4 + 4.4942e-06 * al3z + j3x1 * a3y + j3y1 * a3x + l4x * F4y + l4y * F4x;
         const double j4yz = 1.613025e-07 * s4;
-        const double j3yz = 7.0179e-07 * s3;
-        const double K3yz = j3yz + j4yz;
+        const double K3yz = 7.0179e-07 * s3 + j4yz;
         const double l3x = 0.04038 * c2;
         const double o3x = 0.006 + l3x;
         const double o4x = o3x + l4x;
         const double j4u = 3.7701e-07 * c4;
-        const double j4xy = s4 * j4u;
-        const double K4yx = j4xy + o4x * j4y1;
+        const double K4yx = s4 * j4u + o4x * j4y1;
         const double j3u = 4.3862e-06 * c3;
-        const double j3xy = s3 * j3u;
-        const double K3yx = j3xy + K4yx + o3x * j3y1 + l4y * j4x1;
+        const double K3yx = s3 * j3u + K4yx + o3x * j3y1 + l4y * j4x1;
         const double w1zz = qd[state] * qd[state];
-        const double t3 = n3 + qdd[state] * K3yz + w1zz * K3yx;
-        const double t4 = n4 + qdd[state] * j4yz + w1zz * K4yx;
+        const double t2 = n3 + qdd[state] * K3yz + w1zz * K3yx + 1.2222222222222223 * (n4
+            + qdd[state] * j4yz + w1zz * K4yx);
         const double j2x1 = 0.00054513 * c2;
-        const double F3y = F4y + 0.0001788 * e3y;
-        const double F3x = F4x + 0.0001788 * e3x;
+        const double t3 = n3 + 1.96475328e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * (F4y
+            + 0.0001788 * e3y);
         const double l3y = 0.04038 * s2;
-        const double n2 = n3 + 1.96475328e-05 * qdd[1 * n + state] + 9.81 * j2x1 + l3x * F3y + l3y
-            * F3x;
-        const double j2yz = 1.253799e-06 * s2;
-        const double K2yz = j2yz + K3yz;
+        const double t4 = t3 + l3y * (F4x + 0.0001788 * e3x) + qdd[state] * (1.253799e-06 * s2
+            + K3yz);
         const double j2u = 1.94855328e-05 * c2;
         const double S3x = j3x1 + j4x1;
         const double K2yx = s2 * (j2u + 3.27078e-06) + K3yx + l3y * S3x;
-        const double t2 = n2 + qdd[state] * K2yz + w1zz * K2yx;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + t1 * K4yx;
-        const double w_2y = qd[state] + qd[state];
         const double t5 = c2 * j2u + c3 * j3u + c4 * j4u + o4x * j4x1 + o3x * j3x1 + l4x * j4x1
             + 0.006 * j2x1;
-        const double S2x = j2x1 + S3x;
-        const double t6 = qdd[state] * (t5 + l3x * S3x + 0.006 * S2x + 1.1373675000000002e-06)
-            + 1.613025e-07 * e4x;
-        const double N1z = t6 + 7.0179e-07 * e3x + 1.253799e-06 * e2x - w_2y * R2yx;
+        const double t6 = qdd[state] * (t5 + l3x * S3x + 0.006 * (j2x1 + S3x)
+            + 1.1373675000000002e-06);
+        const double N1z = t6 + 1.613025e-07 * e4x + 7.0179e-07 * e3x + 1.253799e-06 * e2x
+            - (qd[state] + qd[state]) * R2yx;
         tau[state] = N1z;
-        tau[1 * n + state] = t2;
-        tau[2 * n + state] = t3 + 1.2222222222222223 * t4;
+        tau[1 * n + state] = t4 + w1zz * K2yx;
+        tau[2 * n + state] = t2;
     }
 }
 

@@ -36,32 +36,20 @@ void thumb_table_5_2_forward_kinematics_batch(int count, const double *SINEW_RES
         double s3, c3;
         sinew_sincos(phi3, &s3, &c3);
         const double R41y = c1 * c4;
-        const double R41x = c1 * s4;
-        const double l4x = 0.0298 * c3;
-        const double l3x = 0.045 * c2;
-        const double o4x = l3x + l4x;
-        const double p4x = c1 * o4x;
-        const double ptipx = p4x + 0.0201 * R41y;
+        const double o4x = 0.045 * c2 + 0.0298 * c3;
         const double R42y = s1 * c4;
-        const double R42x = s1 * s4;
-        const double p4y = s1 * o4x;
-        const double ptipy = p4y + 0.0201 * R42y;
-        const double l4y = 0.0298 * s3;
-        const double l3y = 0.045 * s2;
-        const double o4y = l3y + l4y;
-        const double ptipz = o4y + 0.0201 * s4;
         T[state] = R41y;
         T[1 * n + state] = -s1;
-        T[2 * n + state] = -R41x;
-        T[3 * n + state] = ptipx;
+        T[2 * n + state] = -(c1 * s4);
+        T[3 * n + state] = c1 * o4x + 0.0201 * R41y;
         T[4 * n + state] = R42y;
         T[5 * n + state] = c1;
-        T[6 * n + state] = -R42x;
-        T[7 * n + state] = ptipy;
+        T[6 * n + state] = -(s1 * s4);
+        T[7 * n + state] = s1 * o4x + 0.0201 * R42y;
         T[8 * n + state] = s4;
         T[9 * n + state] = 0.0;
         T[10 * n + state] = c4;
-        T[11 * n + state] = ptipz;
+        T[11 * n + state] = 0.045 * s2 + 0.0298 * s3 + 0.0201 * s4;
         T[12 * n + state] = 0.0;
         T[13 * n + state] = 0.0;
         T[14 * n + state] = 0.0;
@@ -85,25 +73,17 @@ void thumb_table_5_2_tip_jacobian_batch(int count, const double *SINEW_RESTRICT 
         sinew_sincos(phi3, &s3, &c3);
         double s4, c4;
         sinew_sincos(phi4, &s4, &c4);
-        const double l4x = 0.0298 * c3;
         const double l3x = 0.045 * c2;
-        const double o4x = l3x + l4x;
+        const double o4x = l3x + 0.0298 * c3;
         const double p4y = s1 * o4x;
         const double ptipy = p4y + 0.0201 * s1 * c4;
-        const double l4y = 0.0298 * s3;
         const double l3y = 0.045 * s2;
-        const double o4y = l3y + l4y;
+        const double o4y = l3y + 0.0298 * s3;
         const double ptipz = o4y + 0.0201 * s4;
         const double arm3_4 = l3y - ptipz;
         const double arm4_4 = o4y - ptipz;
         const double p4x = c1 * o4x;
         const double ptipx = p4x + 0.0201 * c1 * c4;
-        const double p3x = c1 * l3x;
-        const double arm3 = p3x - ptipx;
-        const double p3y = s1 * l3x;
-        const double arm3_2 = p3y - ptipy;
-        const double arm4 = p4x - ptipx;
-        const double arm4_2 = p4y - ptipy;
         const double t1 = -c1;
         J[state] = -ptipy;
         J[1 * n + state] = -(c1 * ptipz);
@@ -115,8 +95,8 @@ void thumb_table_5_2_tip_jacobian_batch(int count, const double *SINEW_RESTRICT 
         J[7 * n + state] = s1 * arm4_4;
         J[8 * n + state] = 0.0;
         J[9 * n + state] = c1 * ptipx + s1 * ptipy;
-        J[10 * n + state] = -(c1 * arm3 + s1 * arm3_2);
-        J[11 * n + state] = -(c1 * arm4 + s1 * arm4_2);
+        J[10 * n + state] = -(c1 * (c1 * l3x - ptipx) + s1 * (s1 * l3x - ptipy));
+        J[11 * n + state] = -(c1 * (p4x - ptipx) + s1 * (p4y - ptipy));
         J[12 * n + state] = 0.0;
         J[13 * n + state] = s1;
         J[14 * n + state] = s1;
@@ -146,28 +126,20 @@ void thumb_table_5_2_mass_matrix_batch(int count, const double *SINEW_RESTRICT q
         sinew_sincos(phi3, &s3, &c3);
         double s4, c4;
         sinew_sincos(phi4, &s4, &c4);
-        const double j3u = 4.3862e-06 * c3;
-        const double j2u = 2.4218999999999996e-05 * c2;
-        const double j4u = 3.7701e-07 * s4;
+        const double t1 = c2 * (2.4218999999999996e-05 * c2) + c3 * (4.3862e-06 * c3) - s4
+            * (3.7701e-07 * s4);
         const double l4x = 0.0298 * c3;
         const double l3x = 0.045 * c2;
-        const double o4x = l3x + l4x;
         const double j4x1 = 3.015e-05 * c4;
         const double j3x1 = 0.0001788 * c3;
-        const double t1 = l4x * j4x1;
-        const double S3x = j3x1 + j4x1;
-        const double t2 = l3x * S3x;
-        const double Z1 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + t1 + t2
-            + 7.250099999999999e-07;
+        const double t2 = l4x * j4x1;
+        const double t3 = l3x * (j3x1 + j4x1);
+        const double Z1 = t1 + (l3x + l4x) * j4x1 + l3x * j3x1 + t2 + t3 + 7.250099999999999e-07;
         const double j4y1 = 3.015e-05 * s4;
-        const double j3y1 = 0.0001788 * s3;
-        const double S3y = j3y1 + j4y1;
         const double l3y = 0.045 * s2;
-        const double lS3 = t2 + l3y * S3y;
-        const double l4y = 0.0298 * s3;
-        const double lS4 = t1 + l4y * j4y1;
+        const double lS3 = t3 + l3y * (0.0001788 * s3 + j4y1);
+        const double lS4 = t2 + 0.0298 * s3 * j4y1;
         const double Z3 = 4.92521e-06 + (lS4 + lS4);
-        const double Z2 = 2.4381e-05 + Z3 + (lS3 + lS3);
         const double M_4 = Z3 + lS3;
         const double M_2 = 4.3101e-07 + lS4;
         const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
@@ -176,7 +148,7 @@ void thumb_table_5_2_mass_matrix_batch(int count, const double *SINEW_RESTRICT q
         M[2 * n + state] = 0.0;
         M[3 * n + state] = 0.0;
         M[4 * n + state] = 0.0;
-        M[5 * n + state] = Z2;
+        M[5 * n + state] = 2.4381e-05 + Z3 + (lS3 + lS3);
         M[6 * n + state] = M_4;
         M[7 * n + state] = M_2_2;
         M[8 * n + state] = 0.0;
@@ -206,18 +178,16 @@ void thumb_table_5_2_coriolis_matrix_batch(int count, const double *SINEW_RESTRI
         sinew_sincos(phi4, &s4, &c4);
         const double l4x = 0.0298 * c3;
         const double l3x = 0.045 * c2;
-        const double o4x = l3x + l4x;
         const double j4y1 = 3.015e-05 * s4;
-        const double K4yx = c4 * 3.7701e-07 * s4 + o4x * j4y1;
+        const double K4yx = c4 * 3.7701e-07 * s4 + (l3x + l4x) * j4y1;
         const double j3y1 = 0.0001788 * s3;
         const double j4x1 = 3.015e-05 * c4;
         const double l4y = 0.0298 * s3;
         const double t1 = l4y * j4x1;
         const double K3yx = s3 * 4.3862e-06 * c3 + K4yx + l3x * j3y1 + t1;
         const double j3x1 = 0.0001788 * c3;
-        const double S3x = j3x1 + j4x1;
         const double l3y = 0.045 * s2;
-        const double t2 = l3y * S3x;
+        const double t2 = l3y * (j3x1 + j4x1);
         const double K2yx = s2 * 2.4218999999999996e-05 * c2 + K3yx + t2;
         const double E2wQxx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n
             + state] * K4yx;
@@ -229,29 +199,20 @@ void thumb_table_5_2_coriolis_matrix_batch(int count, const double *SINEW_RESTRI
         const double G4y = j4y1 * w4z;
         const double G4x = j4x1 * w4z;
         const double C_2 = l4x * G4y - l4y * G4x;
-        const double X4 = l4x * j4y1 - t1;
-        const double C_3 = w3z * X4;
+        const double C_3 = w3z * (l4x * j4y1 - t1);
         const double Y3 = C_2 - C_3;
-        const double S3y = j3y1 + j4y1;
-        const double X3 = l3x * S3y - t2;
-        const double C_8 = Y3 - qd[1 * n + state] * X3;
-        const double G3y = G4y + j3y1 * w3z;
-        const double t3 = l3x * G3y;
-        const double G3x = G4x + j3x1 * w3z;
-        const double t4 = l3y * G3x;
-        const double Y2 = C_8 + t3 - t4;
-        const double C_10 = Y3 + t3 - t4;
-        const double C_6 = C_2 + l3x * G4y - l3y * G4x;
-        const double X3_2 = l3x * j4y1 - l3y * j4x1;
-        const double C_4 = C_3 + qd[1 * n + state] * X3_2;
+        const double C_8 = Y3 - qd[1 * n + state] * (l3x * (j3y1 + j4y1) - t2);
+        const double t3 = l3x * (G4y + j3y1 * w3z);
+        const double t4 = l3y * (G4x + j3x1 * w3z);
+        const double C_4 = C_3 + qd[1 * n + state] * (l3x * j4y1 - l3y * j4x1);
         C[state] = -E2wQxx;
         C[1 * n + state] = -cD2y;
         C[2 * n + state] = -cD3y;
         C[3 * n + state] = -cD4y;
         C[4 * n + state] = cD2y;
-        C[5 * n + state] = -Y2;
-        C[6 * n + state] = -C_10;
-        C[7 * n + state] = -C_6;
+        C[5 * n + state] = -(C_8 + t3 - t4);
+        C[6 * n + state] = -(Y3 + t3 - t4);
+        C[7 * n + state] = -(C_2 + l3x * G4y - l3y * G4x);
         C[8 * n + state] = cD3y;
         C[9 * n + state] = -C_8;
         C[10 * n + state] = -Y3;
@@ -270,18 +231,16 @@ void thumb_table_5_2_gravity_batch(int count, const double *SINEW_RESTRICT q,
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
         const double phi3 = q[1 * n + state] + q[2 * n + state];
-        const double phi4 = q[3 * n + state] + phi3;
         double s1, c4;
-        sinew_sincos(phi4, &s1, &c4);
+        sinew_sincos(q[3 * n + state] + phi3, &s1, &c4);
         double s2, c3;
         sinew_sincos(phi3, &s2, &c3);
         double s3, c2;
         sinew_sincos(q[1 * n + state], &s3, &c2);
         const double n4 = 0.0002957715 * c4;
         const double n3 = n4 + 0.0017540280000000001 * c3;
-        const double n2 = n3 + 0.005959575 * c2;
         g[state] = 0.0;
-        g[1 * n + state] = n2;
+        g[1 * n + state] = n3 + 0.005959575 * c2;
         g[2 * n + state] = n3;
         g[3 * n + state] = n4;
     }
@@ -303,23 +262,17 @@ void thumb_table_5_2_bias_batch(int count, const double *SINEW_RESTRICT q,
         sinew_sincos(phi4, &s4, &c4);
         const double l4x = 0.0298 * c3;
         const double l3x = 0.045 * c2;
-        const double o4x = l3x + l4x;
         const double j4y1 = 3.015e-05 * s4;
-        const double K4yx = c4 * 3.7701e-07 * s4 + o4x * j4y1;
-        const double j3y1 = 0.0001788 * s3;
-        const double t1 = l3x * j3y1;
+        const double K4yx = c4 * 3.7701e-07 * s4 + (l3x + l4x) * j4y1;
+        const double t1 = l3x * (0.0001788 * s3);
         const double j4x1 = 3.015e-05 * c4;
-        const double l4y = 0.0298 * s3;
-        const double t2 = l4y * j4x1;
+        const double t2 = 0.0298 * s3 * j4x1;
         const double K3yx = s3 * 4.3862e-06 * c3 + K4yx + t1 + t2;
         const double j3x1 = 0.0001788 * c3;
-        const double S3x = j3x1 + j4x1;
         const double l3y = 0.045 * s2;
-        const double K2yx = s2 * 2.4218999999999996e-05 * c2 + K3yx + l3y * S3x;
+        const double K2yx = s2 * 2.4218999999999996e-05 * c2 + K3yx + l3y * (j3x1 + j4x1);
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
             * K4yx;
-        const double w_2y = qd[state] + qd[state];
-        const double Q2y = w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
         const double X3_4 = l4x * j4y1 - t2;
@@ -332,13 +285,10 @@ void thumb_table_5_2_bias_batch(int count, const double *SINEW_RESTRICT q,
         const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
         const double n2 = n3 + 0.005959575 * c2 - w3zz * X2_3 - w4zz * X2_4;
         const double w1zz = qd[state] * qd[state];
-        const double t2_2 = n2 + w1zz * K2yx;
-        const double t3 = n3 + w1zz * K3yx;
-        const double t4 = n4 + w1zz * K4yx;
-        h[state] = -Q2y;
-        h[1 * n + state] = t2_2;
-        h[2 * n + state] = t3;
-        h[3 * n + state] = t4;
+        h[state] = -((qd[state] + qd[state]) * R2yx);
+        h[1 * n + state] = n2 + w1zz * K2yx;
+        h[2 * n + state] = n3 + w1zz * K3yx;
+        h[3 * n + state] = n4 + w1zz * K4yx;
     }
 }
 
@@ -371,28 +321,21 @@ void thumb_table_5_2_mass_matrix_and_bias_batch(int count, const double *SINEW_R
             + 7.250099999999999e-07;
         const double j4y1 = 3.015e-05 * s4;
         const double j3y1 = 0.0001788 * s3;
-        const double S3y = j3y1 + j4y1;
         const double l3y = 0.045 * s2;
-        const double lS3 = t2 + l3y * S3y;
+        const double lS3 = t2 + l3y * (j3y1 + j4y1);
         const double l4y = 0.0298 * s3;
         const double lS4 = t1 + l4y * j4y1;
         const double Z3 = 4.92521e-06 + (lS4 + lS4);
-        const double Z2 = 2.4381e-05 + Z3 + (lS3 + lS3);
         const double M_4 = Z3 + lS3;
         const double M_2 = 4.3101e-07 + lS4;
         const double M_2_2 = M_2 + l3x * j4x1 + l3y * j4y1;
-        const double j4xy = c4 * j4u;
-        const double K4yx = j4xy + o4x * j4y1;
-        const double j3xy = s3 * j3u;
+        const double K4yx = c4 * j4u + o4x * j4y1;
         const double t3 = l3x * j3y1;
         const double t4 = l4y * j4x1;
-        const double K3yx = j3xy + K4yx + t3 + t4;
-        const double j2xy = s2 * j2u;
-        const double K2yx = j2xy + K3yx + l3y * S3x;
+        const double K3yx = s3 * j3u + K4yx + t3 + t4;
+        const double K2yx = s2 * j2u + K3yx + l3y * S3x;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
             * K4yx;
-        const double w_2y = qd[state] + qd[state];
-        const double Q2y = w_2y * R2yx;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
         const double X3_4 = l4x * j4y1 - t4;
@@ -405,15 +348,12 @@ void thumb_table_5_2_mass_matrix_and_bias_batch(int count, const double *SINEW_R
         const double n3 = n4 + 9.81 * j3x1 + w2zz * X2_3 - w4zz * X3_4;
         const double n2 = n3 + 0.005959575 * c2 - w3zz * X2_3 - w4zz * X2_4;
         const double w1zz = qd[state] * qd[state];
-        const double t2_2 = n2 + K2yx * w1zz;
-        const double t3_2 = n3 + K3yx * w1zz;
-        const double t4_2 = n4 + K4yx * w1zz;
         M[state] = Z1;
         M[1 * n + state] = 0.0;
         M[2 * n + state] = 0.0;
         M[3 * n + state] = 0.0;
         M[4 * n + state] = 0.0;
-        M[5 * n + state] = Z2;
+        M[5 * n + state] = 2.4381e-05 + Z3 + (lS3 + lS3);
         M[6 * n + state] = M_4;
         M[7 * n + state] = M_2_2;
         M[8 * n + state] = 0.0;
@@ -424,10 +364,10 @@ void thumb_table_5_2_mass_matrix_and_bias_batch(int count, const double *SINEW_R
         M[13 * n + state] = M_2_2;
         M[14 * n + state] = M_2;
         M[15 * n + state] = 4.3101e-07;
-        h[state] = -Q2y;
-        h[1 * n + state] = t2_2;
-        h[2 * n + state] = t3_2;
-        h[3 * n + state] = t4_2;
+        h[state] = -((qd[state] + qd[state]) * R2yx);
+        h[1 * n + state] = n2 + K2yx * w1zz;
+        h[2 * n + state] = n3 + K3yx * w1zz;
+        h[3 * n + state] = n4 + K4yx * w1zz;
     }
 }
 
@@ -450,33 +390,26 @@ void thumb_table_5_2_forward_dynamics_batch(int count, const double *SINEW_RESTR
         const double o4x = l3x + l4x;
         const double j4y1 = 3.015e-05 * s4;
         const double j4u = 3.7701e-07 * s4;
-        const double j4xy = c4 * j4u;
-        const double K4yx = j4xy + o4x * j4y1;
+        const double K4yx = c4 * j4u + o4x * j4y1;
         const double j3u = 4.3862e-06 * c3;
-        const double j3xy = s3 * j3u;
         const double j3y1 = 0.0001788 * s3;
         const double t1 = l3x * j3y1;
         const double j4x1 = 3.015e-05 * c4;
         const double l4y = 0.0298 * s3;
         const double t2 = l4y * j4x1;
-        const double K3yx = j3xy + K4yx + t1 + t2;
+        const double K3yx = s3 * j3u + K4yx + t1 + t2;
         const double j2u = 2.4218999999999996e-05 * c2;
-        const double j2xy = s2 * j2u;
         const double j3x1 = 0.0001788 * c3;
         const double S3x = j3x1 + j4x1;
         const double l3y = 0.045 * s2;
-        const double K2yx = j2xy + K3yx + l3y * S3x;
+        const double K2yx = s2 * j2u + K3yx + l3y * S3x;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
             * K4yx;
-        const double w_2y = qd[state] + qd[state];
-        const double Q2y = w_2y * R2yx;
-        const double y1 = tau[state] + Q2y;
+        const double y1 = tau[state] + (qd[state] + qd[state]) * R2yx;
         const double t3 = l4x * j4x1;
         const double t4 = l3x * S3x;
         const double Z1 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + l3x * j3x1 + t3 + t4
             + 7.250099999999999e-07;
-        const double r1 = 1.0 / Z1;
-        const double x1 = y1 * r1;
         const double X2_4 = l3x * j4y1 - l3y * j4x1;
         const double w2zz = qd[1 * n + state] * qd[1 * n + state];
         const double X3_4 = l4x * j4y1 - t2;
@@ -494,26 +427,19 @@ void thumb_table_5_2_forward_dynamics_batch(int count, const double *SINEW_RESTR
         const double L4_3 = 2320131.783485302 * M;
         const double b3 = tau[2 * n + state] - n3 - K3yx * w1zz - y4 * L4_3;
         const double Z3 = 4.92521e-06 + (lS4 + lS4);
-        const double S3y = j3y1 + j4y1;
-        const double lS3 = t4 + l3y * S3y;
-        const double M_4 = Z3 + lS3;
+        const double lS3 = t4 + l3y * (j3y1 + j4y1);
         const double M_2 = M + l3x * j4x1 + l3y * j4y1;
-        const double A3_2 = M_4 - M_2 * L4_3;
-        const double A3_3 = Z3 - M * L4_3;
-        const double r3 = 1.0 / A3_3;
+        const double A3_2 = Z3 + lS3 - M_2 * L4_3;
+        const double r3 = 1.0 / (Z3 - M * L4_3);
         const double L3_2 = A3_2 * r3;
         const double t5 = tau[1 * n + state] - n3 - 0.005959575 * c2 + w3zz * X2_3 + w4zz * X2_4
             - K2yx * w1zz;
         const double L4_2 = 2320131.783485302 * M_2;
-        const double b2_2 = t5 - y4 * L4_2 - b3 * L3_2;
-        const double Z2 = 2.4381e-05 + Z3 + (lS3 + lS3);
-        const double A2_2 = Z2 - M_2 * L4_2;
-        const double A2_2_2 = A2_2 - A3_2 * L3_2;
-        const double r2 = 1.0 / A2_2_2;
-        const double x2 = b2_2 * r2;
+        const double A2_2 = 2.4381e-05 + Z3 + (lS3 + lS3) - M_2 * L4_2;
+        const double x2 = (t5 - y4 * L4_2 - b3 * L3_2) * (1.0 / (A2_2 - A3_2 * L3_2));
         const double x3 = b3 * r3 - L3_2 * x2;
         const double x4 = 2320131.783485302 * y4 - L4_3 * x3 - L4_2 * x2;
-        qdd[state] = x1;
+        qdd[state] = y1 * (1.0 / Z1);
         qdd[1 * n + state] = x2;
         qdd[2 * n + state] = x3;
         qdd[3 * n + state] = x4;
@@ -539,30 +465,26 @@ void thumb_table_5_2_inverse_dynamics_batch(int count, const double *SINEW_RESTR
         const double o4x = l3x + l4x;
         const double j4y1 = 3.015e-05 * s4;
         const double j4u = 3.7701e-07 * s4;
-        const double j4xy = c4 * j4u;
-        const double K4yx = j4xy + o4x * j4y1;
+        const double K4yx = c4 * j4u + o4x * j4y1;
         const double j3u = 4.3862e-06 * c3;
-        const double j3xy = s3 * j3u;
         const double j3y1 = 0.0001788 * s3;
         const double t1 = l3x * j3y1;
         const double j4x1 = 3.015e-05 * c4;
         const double l4y = 0.0298 * s3;
         const double t2 = l4y * j4x1;
-        const double K3yx = j3xy + K4yx + t1 + t2;
+        const double K3yx = s3 * j3u + K4yx + t1 + t2;
         const double j2u = 2.4218999999999996e-05 * c2;
-        const double j2xy = s2 * j2u;
         const double j3x1 = 0.0001788 * c3;
         const double S3x = j3x1 + j4x1;
         const double l3y = 0.045 * s2;
-        const double K2yx = j2xy + K3yx + l3y * S3x;
+        const double K2yx = s2 * j2u + K3yx + l3y * S3x;
         const double R2yx = qd[1 * n + state] * K2yx + qd[2 * n + state] * K3yx + qd[3 * n + state]
             * K4yx;
-        const double w_2y = qd[state] + qd[state];
         const double t3 = l3x * j3x1;
         const double t4 = l4x * j4x1;
         const double t5 = c2 * j2u + c3 * j3u - s4 * j4u + o4x * j4x1 + t3 + t4 + l3x * S3x
             + 7.2501e-07;
-        const double N1z = qdd[state] * t5 - w_2y * R2yx;
+        const double N1z = qdd[state] * t5 - (qd[state] + qd[state]) * R2yx;
         const double D2_4 = l3x * j4x1 + l3y * j4y1;
         const double al3z = qdd[1 * n + state] + qdd[2 * n + state];
         const double al4z = qdd[3 * n + state] + al3z;
@@ -584,15 +506,12 @@ void thumb_table_5_2_inverse_dynamics_batch(int count, const double *SINEW_RESTR
         const double n3 = t7 + w2zz * X2_3 - w4zz * X3_4;
         const double t8 = n3 + 2.4381e-05 * qdd[1 * n + state] + 0.005959575 * c2 + al3z * D2_3
             - w3zz * X2_3;
-        const double n2 = t8 + al4z * D2_4 - w4zz * X2_4;
         const double w1zz = qd[state] * qd[state];
-        const double t2_2 = n2 + w1zz * K2yx;
-        const double t3_2 = n3 + w1zz * K3yx;
-        const double t4_2 = n4 + w1zz * K4yx;
+        const double t2_2 = t8 + al4z * D2_4 - w4zz * X2_4 + w1zz * K2yx;
         tau[state] = N1z;
         tau[1 * n + state] = t2_2;
-        tau[2 * n + state] = t3_2;
-        tau[3 * n + state] = t4_2;
+        tau[2 * n + state] = n3 + w1zz * K3yx;
+        tau[3 * n + state] = n4 + w1zz * K4yx;
     }
 }
 
@@ -606,19 +525,15 @@ void thumb_table_5_2_tendon_lengths_batch(int count, const double *SINEW_RESTRIC
         sinew_sincos(q[state], &s1, &c1);
         double s2, c2;
         sinew_sincos(q[1 * n + state], &s2, &c2);
-        const double R21y = c1 * s2;
-        const double t1 = 0.025 * R21y;
+        const double t1 = 0.025 * (c1 * s2);
         const double t2 = 0.03 * s1;
         const double t3 = t1 - t2;
-        const double R21x = c1 * c2;
-        const double t4 = 0.047 * R21x;
+        const double t4 = 0.047 * (c1 * c2);
         const double A_lengthdx = 0.002 - t3 - t4;
-        const double R22y = s1 * s2;
-        const double t5 = 0.025 * R22y;
+        const double t5 = 0.025 * (s1 * s2);
         const double t6 = 0.03 * c1;
         const double t7 = 0.03 - (t5 + t6);
-        const double R22x = s1 * c2;
-        const double t8 = 0.047 * R22x;
+        const double t8 = 0.047 * (s1 * c2);
         const double A_lengthdy = t7 - t8;
         const double t9 = 0.025 - 0.025 * c2;
         const double t10 = 0.047 * s2;
@@ -687,8 +602,7 @@ void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRI
             * t12;
         const double t13 = 0.025 * s2;
         const double t14 = 0.047 * c2;
-        const double pA_length_toz_by_q1 = t13 + t14;
-        const double t15 = A_lengthdz * pA_length_toz_by_q1;
+        const double t15 = A_lengthdz * (t13 + t14);
         const double t16 = 0.025 * R21x;
         const double t17 = 0.047 * R21y;
         const double pA_length_tox_by_q1 = t16 - t17;
@@ -697,7 +611,6 @@ void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRI
         const double pA_length_toy_by_q1 = t18 - t19;
         const double t20 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1
             - t15;
-        const double A_length_by_q1 = t20 * t12;
         const double t21 = t3 + t2;
         const double pB_length_tox = t21 - t1;
         const double t22 = t7 - t6;
@@ -710,13 +623,11 @@ void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRI
         const double t24 = 1.0 / B_length;
         const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx)
             * t24;
-        const double pB_length_toz_by_q1 = t13 - t14;
-        const double t25 = B_lengthdz * pB_length_toz_by_q1;
+        const double t25 = B_lengthdz * (t13 - t14);
         const double pB_length_tox_by_q1 = t16 + t17;
         const double pB_length_toy_by_q1 = t18 + t19;
         const double t26 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1
             + t25;
-        const double B_length_by_q1 = t26 * t24;
         const double pC_length_tox = t21 + t1;
         const double pC_length_toy = t22 + t5;
         const double C_lengthdy = 0.03 + pC_length_toy;
@@ -727,7 +638,6 @@ void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRI
             * t27;
         const double t28 = t15 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy
             * pA_length_toy_by_q1;
-        const double C_length_by_q1 = t28 * t27;
         const double pD_length_tox = t4 - t1;
         const double pD_length_toy = t8 - t5;
         const double D_lengthdy = 0.03 - pD_length_toy;
@@ -738,21 +648,20 @@ void thumb_table_5_2_coupling_matrix_batch(int count, const double *SINEW_RESTRI
             * t29;
         const double t30 = t25 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy
             * pB_length_toy_by_q1;
-        const double D_length_by_q1 = t30 * t29;
         P[state] = -A_length_by_q0;
-        P[1 * n + state] = -A_length_by_q1;
+        P[1 * n + state] = -(t20 * t12);
         P[2 * n + state] = 0.0;
         P[3 * n + state] = 0.0;
         P[4 * n + state] = B_length_by_q0;
-        P[5 * n + state] = B_length_by_q1;
+        P[5 * n + state] = t26 * t24;
         P[6 * n + state] = 0.0;
         P[7 * n + state] = 0.0;
         P[8 * n + state] = C_length_by_q0;
-        P[9 * n + state] = C_length_by_q1;
+        P[9 * n + state] = t28 * t27;
         P[10 * n + state] = 0.0;
         P[11 * n + state] = 0.0;
         P[12 * n + state] = -D_length_by_q0;
-        P[13 * n + state] = D_length_by_q1;
+        P[13 * n + state] = t30 * t29;
         P[14 * n + state] = 0.0;
         P[15 * n + state] = 0.0;
         P[16 * n + state] = 0.0;
@@ -843,33 +752,27 @@ void thumb_table_5_2_joint_torque_batch(int count, const double *SINEW_RESTRICT 
         const double pB_length_toy_by_q1 = t20 + t21;
         const double t22 = 0.025 * s2;
         const double t23 = 0.047 * c2;
-        const double pB_length_toz_by_q1 = t22 - t23;
-        const double t24 = B_lengthdz * pB_length_toz_by_q1;
+        const double t24 = B_lengthdz * (t22 - t23);
         const double t25 = 0.025 * R21x;
         const double t26 = 0.047 * R21y;
         const double pB_length_tox_by_q1 = t25 + t26;
         const double t27 = t24 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy
             * pB_length_toy_by_q1;
-        const double D_length_by_q1 = t27 * t12;
         const double pA_length_toy_by_q1 = t20 - t21;
-        const double pA_length_toz_by_q1 = t22 + t23;
-        const double t28 = A_lengthdz * pA_length_toz_by_q1;
+        const double t28 = A_lengthdz * (t22 + t23);
         const double pA_length_tox_by_q1 = t25 - t26;
         const double t29 = t28 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy
             * pA_length_toy_by_q1;
-        const double C_length_by_q1 = t29 * t16;
         const double t30 = A_lengthdx * pA_length_tox_by_q1 + A_lengthdy * pA_length_toy_by_q1
             - t28;
-        const double A_length_by_q1 = t30 * t17;
         const double t31 = B_lengthdx * pB_length_tox_by_q1 + B_lengthdy * pB_length_toy_by_q1
             + t24;
-        const double B_length_by_q1 = t31 * t18;
-        const double t32 = f[state] * A_length_by_q1 - f[1 * n + state] * B_length_by_q1 - f[2 * n
-            + state] * C_length_by_q1;
+        const double t32 = f[state] * (t30 * t17) - f[1 * n + state] * (t31 * t18) - f[2 * n
+            + state] * (t29 * t16);
         const double t33 = f[4 * n + state] - f[5 * n + state] - f[6 * n + state] + f[7 * n
             + state];
         tau[state] = t19 + f[3 * n + state] * D_length_by_q0;
-        tau[1 * n + state] = t32 - f[3 * n + state] * D_length_by_q1;
+        tau[1 * n + state] = t32 - f[3 * n + state] * (t27 * t12);
         tau[2 * n + state] = -(0.0065 * t33);
         tau[3 * n + state] = -(0.0055 * (f[6 * n + state] - f[7 * n + state]));
     }
@@ -886,11 +789,8 @@ void thumb_table_5_2_joint_stiffness_batch(int count, const double *SINEW_RESTRI
         double s2, c2;
         sinew_sincos(q[1 * n + state], &s2, &c2);
         const double K4_4 = 3.0249999999999997e-05 * (kt[6 * n + state] + kt[7 * n + state]);
-        const double w7_3 = 0.0065 * kt[6 * n + state];
-        const double w8_3 = 0.0065 * kt[7 * n + state];
-        const double t1 = w7_3 + w8_3;
-        const double K3_4 = 0.0055 * t1;
-        const double t2 = -K3_4;
+        const double t1 = 0.0065 * kt[6 * n + state] + 0.0065 * kt[7 * n + state];
+        const double t2 = -(0.0055 * t1);
         const double K3_3 = 4.225e-05 * (kt[4 * n + state] + kt[5 * n + state]) + 0.0065 * t1;
         const double R21y = c1 * s2;
         const double t3 = 0.025 * R21y;
@@ -996,71 +896,56 @@ void thumb_table_5_2_joint_stiffness_batch(int count, const double *SINEW_RESTRI
             * D_length_by_q1) * t43;
         const double t46 = t39 + f[2 * n + state] * C_length_by_q1_2_by_q1 + f[3 * n + state]
             * D_length_by_q1_2_by_q1;
-        const double w1_2 = kt[state] * A_length_by_q1;
-        const double w2_2 = kt[1 * n + state] * B_length_by_q1;
-        const double w3_2 = kt[2 * n + state] * C_length_by_q1;
-        const double t47 = t46 + A_length_by_q1 * w1_2 + B_length_by_q1 * w2_2 + C_length_by_q1
-            * w3_2;
-        const double w4_2 = kt[3 * n + state] * D_length_by_q1;
-        const double K2_2 = t47 + D_length_by_q1 * w4_2;
+        const double t47 = t46 + A_length_by_q1 * (kt[state] * A_length_by_q1) + B_length_by_q1
+            * (kt[1 * n + state] * B_length_by_q1);
+        const double K2_2 = t47 + C_length_by_q1 * (kt[2 * n + state] * C_length_by_q1)
+            + D_length_by_q1 * (kt[3 * n + state] * D_length_by_q1);
         const double B_length_by_q0 = (pB_length_tox * B_lengthdy - pB_length_toy * B_lengthdx)
             * t31;
         const double t48 = B_lengthdx - pB_length_tox;
         const double t49 = B_lengthdy - pB_length_toy;
         const double t50 = pB_length_tox_by_q1 * t49 + pB_length_toy_by_q1 * -t48 - B_length_by_q0
             * B_length_by_q1;
-        const double B_length_by_q0_2_by_q1 = t50 * t31;
         const double A_length_by_q0 = (pA_length_tox * A_lengthdy - pA_length_toy * A_lengthdx)
             * t14;
         const double t51 = A_lengthdx + pA_length_tox;
         const double t52 = A_lengthdy + pA_length_toy;
         const double t53 = pA_length_toy_by_q1 * t51 - pA_length_tox_by_q1 * t52 - A_length_by_q0
             * A_length_by_q1;
-        const double A_length_by_q0_2_by_q1 = t53 * t14;
-        const double t54 = f[state] * A_length_by_q0_2_by_q1 + f[1 * n + state]
-            * B_length_by_q0_2_by_q1;
         const double C_length_by_q0 = (pC_length_tox * C_lengthdy + pC_length_toy * C_lengthdx)
             * t40;
-        const double t55 = pC_length_toy - C_lengthdy;
-        const double t56 = C_lengthdx + pC_length_tox;
-        const double t57 = pA_length_tox_by_q1 * -t55 + pA_length_toy_by_q1 * t56 - C_length_by_q0
+        const double t54 = pC_length_toy - C_lengthdy;
+        const double t55 = C_lengthdx + pC_length_tox;
+        const double t56 = pA_length_tox_by_q1 * -t54 + pA_length_toy_by_q1 * t55 - C_length_by_q0
             * C_length_by_q1;
-        const double C_length_by_q0_2_by_q1 = t57 * t40;
+        const double t57 = f[state] * (t53 * t14) + f[1 * n + state] * (t50 * t31) + f[2 * n
+            + state] * (t56 * t40);
         const double D_length_by_q0 = (pD_length_tox * D_lengthdy + pD_length_toy * D_lengthdx)
             * t43;
         const double t58 = D_lengthdx - pD_length_tox;
         const double t59 = D_lengthdy + pD_length_toy;
         const double t60 = pB_length_toy_by_q1 * -t58 - pB_length_tox_by_q1 * t59 + D_length_by_q0
             * D_length_by_q1;
-        const double D_length_by_q0_2_by_q1 = t60 * t43;
-        const double t61 = t54 + f[2 * n + state] * C_length_by_q0_2_by_q1 + f[3 * n + state]
-            * D_length_by_q0_2_by_q1;
         const double w1_1 = kt[state] * A_length_by_q0;
         const double w2_1 = kt[1 * n + state] * B_length_by_q0;
+        const double t61 = t57 + f[3 * n + state] * (t60 * t43) + A_length_by_q1 * w1_1
+            + B_length_by_q1 * w2_1;
         const double w3_1 = kt[2 * n + state] * C_length_by_q0;
-        const double t62 = t61 + A_length_by_q1 * w1_1 + B_length_by_q1 * w2_1 + C_length_by_q1
-            * w3_1;
         const double w4_1 = kt[3 * n + state] * D_length_by_q0;
-        const double K1_2 = t62 - D_length_by_q1 * w4_1;
-        const double t63 = pA_length_toy * t52 + pA_length_tox * t51 - A_length_by_q0
+        const double K1_2 = t61 + C_length_by_q1 * w3_1 - D_length_by_q1 * w4_1;
+        const double t62 = pA_length_toy * t52 + pA_length_tox * t51 - A_length_by_q0
             * A_length_by_q0;
-        const double A_length_by_q0_2_by_q0 = t63 * t14;
-        const double t64 = pB_length_toy * t49 + pB_length_tox * t48 + B_length_by_q0
+        const double t63 = pB_length_toy * t49 + pB_length_tox * t48 + B_length_by_q0
             * B_length_by_q0;
-        const double B_length_by_q0_2_by_q0 = t64 * t31;
-        const double t65 = f[state] * A_length_by_q0_2_by_q0 - f[1 * n + state]
-            * B_length_by_q0_2_by_q0;
-        const double t66 = pC_length_toy * t55 + pC_length_tox * t56 - C_length_by_q0
+        const double t64 = pC_length_toy * t54 + pC_length_tox * t55 - C_length_by_q0
             * C_length_by_q0;
-        const double C_length_by_q0_2_by_q0 = t66 * t40;
-        const double t67 = pD_length_tox * t58 - pD_length_toy * t59 + D_length_by_q0
+        const double t65 = f[state] * (t62 * t14) - f[1 * n + state] * (t63 * t31) + f[2 * n
+            + state] * (t64 * t40);
+        const double t66 = pD_length_tox * t58 - pD_length_toy * t59 + D_length_by_q0
             * D_length_by_q0;
-        const double D_length_by_q0_2_by_q0 = t67 * t43;
-        const double t68 = t65 + f[2 * n + state] * C_length_by_q0_2_by_q0 - f[3 * n + state]
-            * D_length_by_q0_2_by_q0;
-        const double t69 = t68 + A_length_by_q0 * w1_1 + B_length_by_q0 * w2_1 + C_length_by_q0
-            * w3_1;
-        const double K1_1 = t69 + D_length_by_q0 * w4_1;
+        const double t67 = t65 - f[3 * n + state] * (t66 * t43) + A_length_by_q0 * w1_1
+            + B_length_by_q0 * w2_1;
+        const double K1_1 = t67 + C_length_by_q0 * w3_1 + D_length_by_q0 * w4_1;
         K[state] = K1_1;
         K[1 * n + state] = K1_2;
         K[2 * n + state] = 0.0;
@@ -1119,7 +1004,6 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
             * t12;
         const double t15 = pA_length_toy * t13 + pA_length_tox * t14 - A_length_by_q0
             * A_length_by_q0;
-        const double A_length_by_q0_2_by_q0 = t15 * t12;
         const double t16 = 0.025 * R22x;
         const double t17 = 0.047 * R22y;
         const double pA_length_toy_by_q1 = t16 - t17;
@@ -1163,7 +1047,6 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
             * t33;
         const double t36 = pB_length_toy * t34 + pB_length_tox * t35 + B_length_by_q0
             * B_length_by_q0;
-        const double B_length_by_q0_2_by_q0 = t36 * t33;
         const double pB_length_tox_by_q1 = t18 + t19;
         const double pB_length_toy_by_q1 = t16 + t17;
         const double pB_length_toz_by_q1 = t20 - t21;
@@ -1196,7 +1079,6 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
             * t45;
         const double t48 = pC_length_toy * t46 + pC_length_tox * t47 - C_length_by_q0
             * C_length_by_q0;
-        const double C_length_by_q0_2_by_q0 = t48 * t45;
         const double t49 = t22 - C_lengthdx * pA_length_tox_by_q1 + C_lengthdy
             * pA_length_toy_by_q1;
         const double C_length_by_q1 = t49 * t45;
@@ -1219,7 +1101,6 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
             * t52;
         const double t55 = pD_length_tox * t53 - pD_length_toy * t54 + D_length_by_q0
             * D_length_by_q0;
-        const double D_length_by_q0_2_by_q0 = t55 * t52;
         const double t56 = t37 + D_lengthdx * pB_length_tox_by_q1 - D_lengthdy
             * pB_length_toy_by_q1;
         const double D_length_by_q1 = t56 * t52;
@@ -1230,7 +1111,7 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
             * pB_length_toy_by_q1_2_by_q1;
         const double D_length_by_q1_2_by_q1 = (t58 + t42 + t41 + t40 - D_length_by_q1
             * D_length_by_q1) * t52;
-        H[state] = A_length_by_q0_2_by_q0;
+        H[state] = t15 * t12;
         H[1 * n + state] = A_length_by_q0_2_by_q1;
         H[2 * n + state] = 0.0;
         H[3 * n + state] = 0.0;
@@ -1246,7 +1127,7 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
         H[13 * n + state] = 0.0;
         H[14 * n + state] = 0.0;
         H[15 * n + state] = 0.0;
-        H[16 * n + state] = -B_length_by_q0_2_by_q0;
+        H[16 * n + state] = -(t36 * t33);
         H[17 * n + state] = B_length_by_q0_2_by_q1;
         H[18 * n + state] = 0.0;
         H[19 * n + state] = 0.0;
@@ -1262,7 +1143,7 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
         H[29 * n + state] = 0.0;
         H[30 * n + state] = 0.0;
         H[31 * n + state] = 0.0;
-        H[32 * n + state] = C_length_by_q0_2_by_q0;
+        H[32 * n + state] = t48 * t45;
         H[33 * n + state] = C_length_by_q0_2_by_q1;
         H[34 * n + state] = 0.0;
         H[35 * n + state] = 0.0;
@@ -1278,7 +1159,7 @@ void thumb_table_5_2_tendon_hessian_batch(int count, const double *SINEW_RESTRIC
         H[45 * n + state] = 0.0;
         H[46 * n + state] = 0.0;
         H[47 * n + state] = 0.0;
-        H[48 * n + state] = -D_length_by_q0_2_by_q0;
+        H[48 * n + state] = -(t55 * t52);
         H[49 * n + state] = D_length_by_q0_2_by_q1;
         H[50 * n + state] = 0.0;
         H[51 * n + state] = 0.0;
@@ -1434,18 +1315,10 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double t23 = stretch_by_q11 * error + stretch_2_by_q11 * error_2 + stretch_4_by_q11
             * error_4;
         const double gradient_1 = t23 + stretch_6_by_q11 * error_6;
-        const double gap_x_6_by_q10 = t1 + t5;
-        const double gap_y_6_by_q10 = t9 - t11;
-        const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t18;
-        const double gap_x_4_by_q10 = t1 - t12;
-        const double gap_y_4_by_q10 = t9 + t14;
-        const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t20;
-        const double gap_x_by_q10 = t1 + t12;
-        const double gap_y_by_q10 = t9 - t14;
-        const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t21;
-        const double gap_x_2_by_q10 = t1 - t5;
-        const double gap_y_2_by_q10 = t9 + t11;
-        const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t22;
+        const double stretch_6_by_q10 = (gap_x_6 * (t1 + t5) - gap_y_6 * (t9 - t11)) * t18;
+        const double stretch_4_by_q10 = (gap_x_4 * (t1 - t12) - gap_y_4 * (t9 + t14)) * t20;
+        const double stretch_by_q10 = (gap_x * (t1 + t12) + gap_y * (t9 - t14)) * t21;
+        const double stretch_2_by_q10 = (gap_x_2 * (t1 - t5) + gap_y_2 * (t9 + t11)) * t22;
         const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
             - stretch_4_by_q10 * stretch_4_by_q11;
         const double H_01 = t24 - stretch_6_by_q10 * stretch_6_by_q11;
@@ -1515,29 +1388,18 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double better = cost - cost_2;
         const double kept_8 = sinew_choose(better, cost_2, cost);
         const double kept = sinew_choose(better, q10, start_q10);
-        const double gap_x_8_by_q10 = t29 + t40;
-        const double gap_y_8_by_q10 = t37 - t42;
         const double t45 = 1.0 / stretch_8;
-        const double stretch_8_by_q10 = (gap_x_8 * gap_x_8_by_q10 + gap_y_8 * gap_y_8_by_q10) * t45;
-        const double gap_x_10_by_q10 = t29 - t33;
-        const double gap_y_10_by_q10 = t37 + t39;
+        const double stretch_8_by_q10 = (gap_x_8 * (t29 + t40) + gap_y_8 * (t37 - t42)) * t45;
         const double t46 = 1.0 / stretch_10;
-        const double stretch_10_by_q10 = (gap_x_10 * gap_x_10_by_q10 + gap_y_10 * gap_y_10_by_q10)
-            * t46;
-        const double gap_x_12_by_q10 = t29 - t40;
-        const double gap_y_12_by_q10 = t37 + t42;
+        const double stretch_10_by_q10 = (gap_x_10 * (t29 - t33) + gap_y_10 * (t37 + t39)) * t46;
         const double t47 = 1.0 / stretch_12;
-        const double stretch_12_by_q10 = (gap_x_12 * gap_x_12_by_q10 - gap_y_12 * gap_y_12_by_q10)
-            * t47;
+        const double stretch_12_by_q10 = (gap_x_12 * (t29 - t40) - gap_y_12 * (t37 + t42)) * t47;
         const double t48 = stretch_8_by_q10 * error_8 + stretch_10_by_q10 * error_10
             - stretch_12_by_q10 * error_12;
-        const double gap_x_14_by_q10 = t29 + t33;
-        const double gap_y_14_by_q10 = t37 - t39;
         const double t49 = 1.0 / stretch_14;
-        const double stretch_14_by_q10 = (gap_x_14 * gap_x_14_by_q10 - gap_y_14 * gap_y_14_by_q10)
-            * t49;
-        const double gradient_0_2 = t48 - stretch_14_by_q10 * error_14;
-        const double kept_4 = sinew_choose(better, -gradient_0_2, -gradient_0);
+        const double stretch_14_by_q10 = (gap_x_14 * (t29 + t33) - gap_y_14 * (t37 - t39)) * t49;
+        const double kept_4 = sinew_choose(better, -(t48 - stretch_14_by_q10 * error_14),
+            -gradient_0);
         const double gap_y_8_by_q11 = sin_q10_2 * up_8;
         const double t50 = along_8 * gap_z_8;
         const double gap_x_8_by_q11 = cos_q10_2 * up_8;
@@ -1562,8 +1424,8 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double d_2 = kept_14 * t53;
         const double t54 = stretch_8_by_q11 * error_8 + stretch_10_by_q11 * error_10
             + stretch_12_by_q11 * error_12;
-        const double gradient_1_2 = t54 + stretch_14_by_q11 * error_14;
-        const double kept_6 = sinew_choose(better, -gradient_1_2, -gradient_1);
+        const double kept_6 = sinew_choose(better, -(t54 + stretch_14_by_q11 * error_14),
+            -gradient_1);
         const double t55 = stretch_8_by_q10 * stretch_8_by_q11 + stretch_10_by_q10
             * stretch_10_by_q11;
         const double H_01_2 = t55 - stretch_12_by_q10 * stretch_12_by_q11 - stretch_14_by_q10
@@ -1631,30 +1493,18 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double better_2 = kept_8 - cost_4;
         const double kept_26 = sinew_choose(better_2, cost_4, kept_8);
         const double kept_18 = sinew_choose(better_2, q10_2, kept);
-        const double gap_x_16_by_q10 = t63 + t65;
-        const double gap_y_16_by_q10 = t58 - t62;
         const double t74 = 1.0 / stretch_16;
-        const double stretch_16_by_q10 = (gap_x_16 * gap_x_16_by_q10 + gap_y_16 * gap_y_16_by_q10)
-            * t74;
-        const double gap_x_18_by_q10 = t63 - t70;
-        const double gap_y_18_by_q10 = t58 + t69;
+        const double stretch_16_by_q10 = (gap_x_16 * (t63 + t65) + gap_y_16 * (t58 - t62)) * t74;
         const double t75 = 1.0 / stretch_18;
-        const double stretch_18_by_q10 = (gap_x_18 * gap_x_18_by_q10 + gap_y_18 * gap_y_18_by_q10)
-            * t75;
-        const double gap_x_20_by_q10 = t63 - t65;
-        const double gap_y_20_by_q10 = t58 + t62;
+        const double stretch_18_by_q10 = (gap_x_18 * (t63 - t70) + gap_y_18 * (t58 + t69)) * t75;
         const double t76 = 1.0 / stretch_20;
-        const double stretch_20_by_q10 = (gap_x_20 * gap_x_20_by_q10 - gap_y_20 * gap_y_20_by_q10)
-            * t76;
+        const double stretch_20_by_q10 = (gap_x_20 * (t63 - t65) - gap_y_20 * (t58 + t62)) * t76;
         const double t77 = stretch_16_by_q10 * error_16 + stretch_18_by_q10 * error_18
             - stretch_20_by_q10 * error_20;
-        const double gap_x_22_by_q10 = t63 + t70;
-        const double gap_y_22_by_q10 = t58 - t69;
         const double t78 = 1.0 / stretch_22;
-        const double stretch_22_by_q10 = (gap_x_22 * gap_x_22_by_q10 - gap_y_22 * gap_y_22_by_q10)
-            * t78;
-        const double gradient_0_4 = t77 - stretch_22_by_q10 * error_22;
-        const double kept_22 = sinew_choose(better_2, -gradient_0_4, kept_4);
+        const double stretch_22_by_q10 = (gap_x_22 * (t63 + t70) - gap_y_22 * (t58 - t69)) * t78;
+        const double kept_22 = sinew_choose(better_2, -(t77 - stretch_22_by_q10 * error_22),
+            kept_4);
         const double t79 = along_16 * gap_z_16;
         const double gap_x_16_by_q11 = cos_q10_4 * up_16;
         const double gap_y_16_by_q11 = sin_q10_4 * up_16;
@@ -1679,8 +1529,8 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double d_4 = kept_32 * t82;
         const double t83 = stretch_16_by_q11 * error_16 + stretch_18_by_q11 * error_18
             + stretch_20_by_q11 * error_20;
-        const double gradient_1_4 = t83 + stretch_22_by_q11 * error_22;
-        const double kept_24 = sinew_choose(better_2, -gradient_1_4, kept_6);
+        const double kept_24 = sinew_choose(better_2, -(t83 + stretch_22_by_q11 * error_22),
+            kept_6);
         const double t84 = stretch_16_by_q10 * stretch_16_by_q11 + stretch_18_by_q10
             * stretch_18_by_q11;
         const double H_01_4 = t84 - stretch_20_by_q10 * stretch_20_by_q11 - stretch_22_by_q10
@@ -1746,32 +1596,19 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
             + error_30 * error_30;
         const double cost_6 = 0.5 * t102;
         const double better_4 = kept_26 - cost_6;
-        const double kept_44 = sinew_choose(better_4, cost_6, kept_26);
         const double kept_36 = sinew_choose(better_4, q10_4, kept_18);
-        const double gap_x_24_by_q10 = t92 + t94;
-        const double gap_y_24_by_q10 = t87 - t91;
         const double t103 = 1.0 / stretch_24;
-        const double stretch_24_by_q10 = (gap_x_24 * gap_x_24_by_q10 + gap_y_24 * gap_y_24_by_q10)
-            * t103;
-        const double gap_x_26_by_q10 = t92 - t99;
-        const double gap_y_26_by_q10 = t87 + t98;
+        const double stretch_24_by_q10 = (gap_x_24 * (t92 + t94) + gap_y_24 * (t87 - t91)) * t103;
         const double t104 = 1.0 / stretch_26;
-        const double stretch_26_by_q10 = (gap_x_26 * gap_x_26_by_q10 + gap_y_26 * gap_y_26_by_q10)
-            * t104;
-        const double gap_x_28_by_q10 = t92 - t94;
-        const double gap_y_28_by_q10 = t87 + t91;
+        const double stretch_26_by_q10 = (gap_x_26 * (t92 - t99) + gap_y_26 * (t87 + t98)) * t104;
         const double t105 = 1.0 / stretch_28;
-        const double stretch_28_by_q10 = (gap_x_28 * gap_x_28_by_q10 - gap_y_28 * gap_y_28_by_q10)
-            * t105;
+        const double stretch_28_by_q10 = (gap_x_28 * (t92 - t94) - gap_y_28 * (t87 + t91)) * t105;
         const double t106 = stretch_24_by_q10 * error_24 + stretch_26_by_q10 * error_26
             - stretch_28_by_q10 * error_28;
-        const double gap_x_30_by_q10 = t92 + t99;
-        const double gap_y_30_by_q10 = t87 - t98;
         const double t107 = 1.0 / stretch_30;
-        const double stretch_30_by_q10 = (gap_x_30 * gap_x_30_by_q10 - gap_y_30 * gap_y_30_by_q10)
-            * t107;
-        const double gradient_0_6 = t106 - stretch_30_by_q10 * error_30;
-        const double kept_40 = sinew_choose(better_4, -gradient_0_6, kept_22);
+        const double stretch_30_by_q10 = (gap_x_30 * (t92 + t99) - gap_y_30 * (t87 - t98)) * t107;
+        const double kept_40 = sinew_choose(better_4, -(t106 - stretch_30_by_q10 * error_30),
+            kept_22);
         const double t108 = along_24 * gap_z_24;
         const double gap_x_24_by_q11 = cos_q10_6 * up_24;
         const double gap_y_24_by_q11 = sin_q10_6 * up_24;
@@ -1796,8 +1633,8 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double d_6 = kept_50 * t111;
         const double t112 = stretch_24_by_q11 * error_24 + stretch_26_by_q11 * error_26
             + stretch_28_by_q11 * error_28;
-        const double gradient_1_6 = t112 + stretch_30_by_q11 * error_30;
-        const double kept_42 = sinew_choose(better_4, -gradient_1_6, kept_24);
+        const double kept_42 = sinew_choose(better_4, -(t112 + stretch_30_by_q11 * error_30),
+            kept_24);
         const double t113 = stretch_24_by_q10 * stretch_24_by_q11 + stretch_26_by_q10
             * stretch_26_by_q11;
         const double H_01_6 = t113 - stretch_28_by_q10 * stretch_28_by_q11 - stretch_30_by_q10
@@ -1861,33 +1698,23 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double error_38 = h[3 * n + state] - stretch_38;
         const double t131 = error_32 * error_32 + error_34 * error_34 + error_36 * error_36
             + error_38 * error_38;
-        const double better_6 = kept_44 - 0.5 * t131;
-        const double kept_54 = sinew_choose(better_6, q10_6, kept_36);
-        const double kept_56 = sinew_choose(better_6, q11_6, kept_38);
-        const double gap_x_32_by_q10 = t121 + t123;
-        const double gap_y_32_by_q10 = t116 - t120;
+        const double better_6 = sinew_choose(better_4, cost_6, kept_26) - 0.5 * t131;
         const double t132 = 1.0 / stretch_32;
-        const double stretch_32_by_q10 = (gap_x_32 * gap_x_32_by_q10 + gap_y_32 * gap_y_32_by_q10)
+        const double stretch_32_by_q10 = (gap_x_32 * (t121 + t123) + gap_y_32 * (t116 - t120))
             * t132;
-        const double gap_x_34_by_q10 = t121 - t128;
-        const double gap_y_34_by_q10 = t116 + t127;
         const double t133 = 1.0 / stretch_34;
-        const double stretch_34_by_q10 = (gap_x_34 * gap_x_34_by_q10 + gap_y_34 * gap_y_34_by_q10)
+        const double stretch_34_by_q10 = (gap_x_34 * (t121 - t128) + gap_y_34 * (t116 + t127))
             * t133;
-        const double gap_x_36_by_q10 = t121 - t123;
-        const double gap_y_36_by_q10 = t116 + t120;
         const double t134 = 1.0 / stretch_36;
-        const double stretch_36_by_q10 = (gap_x_36 * gap_x_36_by_q10 - gap_y_36 * gap_y_36_by_q10)
+        const double stretch_36_by_q10 = (gap_x_36 * (t121 - t123) - gap_y_36 * (t116 + t120))
             * t134;
         const double t135 = stretch_32_by_q10 * error_32 + stretch_34_by_q10 * error_34
             - stretch_36_by_q10 * error_36;
-        const double gap_x_38_by_q10 = t121 + t128;
-        const double gap_y_38_by_q10 = t116 - t127;
         const double t136 = 1.0 / stretch_38;
-        const double stretch_38_by_q10 = (gap_x_38 * gap_x_38_by_q10 - gap_y_38 * gap_y_38_by_q10)
+        const double stretch_38_by_q10 = (gap_x_38 * (t121 + t128) - gap_y_38 * (t116 - t127))
             * t136;
-        const double gradient_0_8 = t135 - stretch_38_by_q10 * error_38;
-        const double kept_58 = sinew_choose(better_6, -gradient_0_8, kept_40);
+        const double kept_58 = sinew_choose(better_6, -(t135 - stretch_38_by_q10 * error_38),
+            kept_40);
         const double t137 = along_32 * gap_z_32;
         const double gap_x_32_by_q11 = cos_q10_8 * up_32;
         const double gap_y_32_by_q11 = sin_q10_8 * up_32;
@@ -1909,8 +1736,8 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double kept_68 = sinew_choose(better_6, H_11_8, kept_50);
         const double t140 = stretch_32_by_q11 * error_32 + stretch_34_by_q11 * error_34
             + stretch_36_by_q11 * error_36;
-        const double gradient_1_8 = t140 + stretch_38_by_q11 * error_38;
-        const double kept_60 = sinew_choose(better_6, -gradient_1_8, kept_42);
+        const double kept_60 = sinew_choose(better_6, -(t140 + stretch_38_by_q11 * error_38),
+            kept_42);
         const double t141 = stretch_32_by_q10 * stretch_32_by_q11 + stretch_34_by_q10
             * stretch_34_by_q11;
         const double H_01_8 = t141 - stretch_36_by_q10 * stretch_36_by_q11 - stretch_38_by_q10
@@ -1929,8 +1756,8 @@ void thumb_table_5_2_link_position_batch(int count, const double *SINEW_RESTRICT
         const double step_18 = sinew_min(sinew_max((kept_58 * kept_66 - kept_60 * kept_64) * t143,
             -0.5), 0.5);
         const double correction_2 = sinew_sqrt(step_16 * step_16 + step_18 * step_18);
-        q[state] = kept_54;
-        q[1 * n + state] = kept_56;
+        q[state] = sinew_choose(better_6, q10_6, kept_36);
+        q[1 * n + state] = sinew_choose(better_6, q11_6, kept_38);
         correction[state] = correction_2;
         status[state] = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
     }
@@ -2003,20 +1830,12 @@ void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RES
             * t22;
         const double H_11 = t21 + stretch_6_by_q11 * stretch_6_by_q11;
         const double d = 1.0001 * H_11;
-        const double gap_x_by_q10 = t7 + t6;
-        const double gap_y_by_q10 = t4 - t3;
-        const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t12;
-        const double gap_x_2_by_q10 = t7 - t15;
-        const double gap_y_2_by_q10 = t4 + t14;
-        const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t17;
-        const double gap_x_4_by_q10 = t7 - t6;
-        const double gap_y_4_by_q10 = t4 + t3;
-        const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t20;
+        const double stretch_by_q10 = (gap_x * (t7 + t6) + gap_y * (t4 - t3)) * t12;
+        const double stretch_2_by_q10 = (gap_x_2 * (t7 - t15) + gap_y_2 * (t4 + t14)) * t17;
+        const double stretch_4_by_q10 = (gap_x_4 * (t7 - t6) - gap_y_4 * (t4 + t3)) * t20;
         const double t23 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
             + stretch_4_by_q10 * stretch_4_by_q10;
-        const double gap_x_6_by_q10 = t7 + t15;
-        const double gap_y_6_by_q10 = t4 - t14;
-        const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t22;
+        const double stretch_6_by_q10 = (gap_x_6 * (t7 + t15) - gap_y_6 * (t4 - t14)) * t22;
         const double H_00 = t23 + stretch_6_by_q10 * stretch_6_by_q10;
         const double a = 1.0001 * H_00;
         const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
@@ -2086,31 +1905,18 @@ void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RES
         const double t44 = t39 - error_8 * error_8 - error_10 * error_10 - error_12 * error_12
             - error_14 * error_14;
         const double better = 0.5 * t44;
-        const double kept = sinew_choose(better, q10, start_q10);
-        const double kept_2 = sinew_choose(better, q11, start_q11);
         const double t45 = 1.0 / stretch_8;
-        const double gap_x_8_by_q10 = t34 + t33;
-        const double gap_y_8_by_q10 = t31 - t30;
-        const double stretch_8_by_q10 = (gap_x_8 * gap_x_8_by_q10 + gap_y_8 * gap_y_8_by_q10) * t45;
+        const double stretch_8_by_q10 = (gap_x_8 * (t34 + t33) + gap_y_8 * (t31 - t30)) * t45;
         const double t46 = 1.0 / stretch_10;
-        const double gap_x_10_by_q10 = t34 - t41;
-        const double gap_y_10_by_q10 = t31 + t40;
-        const double stretch_10_by_q10 = (gap_x_10 * gap_x_10_by_q10 + gap_y_10 * gap_y_10_by_q10)
-            * t46;
+        const double stretch_10_by_q10 = (gap_x_10 * (t34 - t41) + gap_y_10 * (t31 + t40)) * t46;
         const double t47 = 1.0 / stretch_12;
-        const double gap_x_12_by_q10 = t34 - t33;
-        const double gap_y_12_by_q10 = t31 + t30;
-        const double stretch_12_by_q10 = (gap_x_12 * gap_x_12_by_q10 - gap_y_12 * gap_y_12_by_q10)
-            * t47;
+        const double stretch_12_by_q10 = (gap_x_12 * (t34 - t33) - gap_y_12 * (t31 + t30)) * t47;
         const double t48 = stretch_8_by_q10 * error_8 + stretch_10_by_q10 * error_10
             - stretch_12_by_q10 * error_12;
         const double t49 = 1.0 / stretch_14;
-        const double gap_x_14_by_q10 = t34 + t41;
-        const double gap_y_14_by_q10 = t31 - t40;
-        const double stretch_14_by_q10 = (gap_x_14 * gap_x_14_by_q10 - gap_y_14 * gap_y_14_by_q10)
-            * t49;
-        const double gradient_0_2 = t48 - stretch_14_by_q10 * error_14;
-        const double kept_4 = sinew_choose(better, -gradient_0_2, -gradient_0);
+        const double stretch_14_by_q10 = (gap_x_14 * (t34 + t41) - gap_y_14 * (t31 - t40)) * t49;
+        const double kept_4 = sinew_choose(better, -(t48 - stretch_14_by_q10 * error_14),
+            -gradient_0);
         const double gap_x_8_by_q11 = cos_q10_2 * up_8;
         const double t50 = along_8 * gap_z_8;
         const double gap_y_8_by_q11 = sin_q10_2 * up_8;
@@ -2132,8 +1938,8 @@ void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RES
         const double kept_14 = sinew_choose(better, H_11_2, H_11);
         const double t53 = stretch_8_by_q11 * error_8 + stretch_10_by_q11 * error_10
             + stretch_12_by_q11 * error_12;
-        const double gradient_1_2 = t53 + stretch_14_by_q11 * error_14;
-        const double kept_6 = sinew_choose(better, -gradient_1_2, -gradient_1);
+        const double kept_6 = sinew_choose(better, -(t53 + stretch_14_by_q11 * error_14),
+            -gradient_1);
         const double t54 = stretch_8_by_q10 * stretch_8_by_q11 + stretch_10_by_q10
             * stretch_10_by_q11;
         const double H_01_2 = t54 - stretch_12_by_q10 * stretch_12_by_q11 - stretch_14_by_q10
@@ -2152,8 +1958,8 @@ void thumb_table_5_2_link_position_warm_batch(int count, const double *SINEW_RES
         const double step_6 = sinew_min(sinew_max((kept_4 * kept_12 - kept_6 * kept_10) * t56,
             -0.5), 0.5);
         const double correction_2 = sinew_sqrt(step_4 * step_4 + step_6 * step_6);
-        q[state] = kept;
-        q[1 * n + state] = kept_2;
+        q[state] = sinew_choose(better, q10, start_q10);
+        q[1 * n + state] = sinew_choose(better, q11, start_q11);
         correction[state] = correction_2;
         status[state] = (int)sinew_choose(1e-06 - correction_2, 0.0, 1.0);
     }
@@ -2218,28 +2024,18 @@ void thumb_table_5_2_link_position_gradient_step_batch(int count, const double *
             * error_6;
         const double cost = 0.5 * t16;
         const double better = search[5 * n + state] - cost;
-        const double kept = sinew_choose(better, q10, start_q10);
-        const double kept_2 = sinew_choose(better, q11, start_q11);
         const double t17 = 1.0 / stretch;
-        const double gap_x_by_q10 = t7 + t6;
-        const double gap_y_by_q10 = t4 - t3;
-        const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t17;
+        const double stretch_by_q10 = (gap_x * (t7 + t6) + gap_y * (t4 - t3)) * t17;
         const double t18 = 1.0 / stretch_2;
-        const double gap_x_2_by_q10 = t7 - t13;
-        const double gap_y_2_by_q10 = t4 + t12;
-        const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t18;
+        const double stretch_2_by_q10 = (gap_x_2 * (t7 - t13) + gap_y_2 * (t4 + t12)) * t18;
         const double t19 = 1.0 / stretch_4;
-        const double gap_x_4_by_q10 = t7 - t6;
-        const double gap_y_4_by_q10 = t4 + t3;
-        const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t19;
+        const double stretch_4_by_q10 = (gap_x_4 * (t7 - t6) - gap_y_4 * (t4 + t3)) * t19;
         const double t20 = stretch_by_q10 * error + stretch_2_by_q10 * error_2 - stretch_4_by_q10
             * error_4;
         const double t21 = 1.0 / stretch_6;
-        const double gap_x_6_by_q10 = t7 + t13;
-        const double gap_y_6_by_q10 = t4 - t12;
-        const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t21;
-        const double gradient_0 = t20 - stretch_6_by_q10 * error_6;
-        const double kept_4 = sinew_choose(better, -gradient_0, search[2 * n + state]);
+        const double stretch_6_by_q10 = (gap_x_6 * (t7 + t13) - gap_y_6 * (t4 - t12)) * t21;
+        const double kept_4 = sinew_choose(better, -(t20 - stretch_6_by_q10 * error_6), search[2 * n
+            + state]);
         const double gap_x_by_q11 = cos_q10 * up;
         const double t22 = along * gap_z;
         const double gap_y_by_q11 = sin_q10 * up;
@@ -2255,13 +2051,13 @@ void thumb_table_5_2_link_position_gradient_step_batch(int count, const double *
             * error_4;
         const double stretch_6_by_q11 = (t23 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
             * t21;
-        const double gradient_1 = t24 + stretch_6_by_q11 * error_6;
-        const double kept_6 = sinew_choose(better, -gradient_1, search[3 * n + state]);
+        const double kept_6 = sinew_choose(better, -(t24 + stretch_6_by_q11 * error_6), search[3 * n
+            + state]);
         const double kept_8 = sinew_choose(better, search[4 * n + state], 0.5 * search[4 * n
             + state]);
         const double kept_10 = sinew_choose(better, cost, search[5 * n + state]);
-        next[state] = kept;
-        next[1 * n + state] = kept_2;
+        next[state] = sinew_choose(better, q10, start_q10);
+        next[1 * n + state] = sinew_choose(better, q11, start_q11);
         next[2 * n + state] = kept_4;
         next[3 * n + state] = kept_6;
         next[4 * n + state] = kept_8;
@@ -2334,27 +2130,17 @@ void thumb_table_5_2_link_position_status_batch(int count, const double *SINEW_R
         const double stretch_6_by_q11 = (t18 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
             * t22;
         const double H_11 = t21 + stretch_6_by_q11 * stretch_6_by_q11;
-        const double gap_x_by_q10 = t7 + t6;
-        const double gap_y_by_q10 = t4 - t3;
-        const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t12;
-        const double gap_x_2_by_q10 = t7 - t15;
-        const double gap_y_2_by_q10 = t4 + t14;
-        const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t17;
-        const double gap_x_4_by_q10 = t7 - t6;
-        const double gap_y_4_by_q10 = t4 + t3;
-        const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t20;
+        const double stretch_by_q10 = (gap_x * (t7 + t6) + gap_y * (t4 - t3)) * t12;
+        const double stretch_2_by_q10 = (gap_x_2 * (t7 - t15) + gap_y_2 * (t4 + t14)) * t17;
+        const double stretch_4_by_q10 = (gap_x_4 * (t7 - t6) - gap_y_4 * (t4 + t3)) * t20;
         const double t23 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
             + stretch_4_by_q10 * stretch_4_by_q10;
-        const double gap_x_6_by_q10 = t7 + t15;
-        const double gap_y_6_by_q10 = t4 - t14;
-        const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t22;
+        const double stretch_6_by_q10 = (gap_x_6 * (t7 + t15) - gap_y_6 * (t4 - t14)) * t22;
         const double H_00 = t23 + stretch_6_by_q10 * stretch_6_by_q10;
         const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
             - stretch_4_by_q10 * stretch_4_by_q11;
         const double H_01 = t24 - stretch_6_by_q10 * stretch_6_by_q11;
-        const double determinant = H_00 * H_11 - H_01 * H_01;
-        const double determinant_floor = 1e-24 + 1e-09 * H_00 * H_11;
-        const double safe = sinew_max(determinant, determinant_floor);
+        const double safe = sinew_max(H_00 * H_11 - H_01 * H_01, 1e-24 + 1e-09 * H_00 * H_11);
         const double t25 = 1.0 / safe;
         const double error = h[state] - stretch;
         const double error_2 = h[1 * n + state] - stretch_2;
@@ -2440,20 +2226,12 @@ void thumb_table_5_2_link_position_covariance_batch(int count, const double *SIN
         const double stretch_6_by_q11 = (t18 + gap_x_6 * gap_x_2_by_q11 - gap_y_6 * gap_y_2_by_q11)
             * t22;
         const double H_11 = t21 + stretch_6_by_q11 * stretch_6_by_q11;
-        const double gap_x_by_q10 = t7 + t6;
-        const double gap_y_by_q10 = t4 - t3;
-        const double stretch_by_q10 = (gap_x * gap_x_by_q10 + gap_y * gap_y_by_q10) * t12;
-        const double gap_x_2_by_q10 = t7 - t15;
-        const double gap_y_2_by_q10 = t4 + t14;
-        const double stretch_2_by_q10 = (gap_x_2 * gap_x_2_by_q10 + gap_y_2 * gap_y_2_by_q10) * t17;
-        const double gap_x_4_by_q10 = t7 - t6;
-        const double gap_y_4_by_q10 = t4 + t3;
-        const double stretch_4_by_q10 = (gap_x_4 * gap_x_4_by_q10 - gap_y_4 * gap_y_4_by_q10) * t20;
+        const double stretch_by_q10 = (gap_x * (t7 + t6) + gap_y * (t4 - t3)) * t12;
+        const double stretch_2_by_q10 = (gap_x_2 * (t7 - t15) + gap_y_2 * (t4 + t14)) * t17;
+        const double stretch_4_by_q10 = (gap_x_4 * (t7 - t6) - gap_y_4 * (t4 + t3)) * t20;
         const double t23 = stretch_by_q10 * stretch_by_q10 + stretch_2_by_q10 * stretch_2_by_q10
             + stretch_4_by_q10 * stretch_4_by_q10;
-        const double gap_x_6_by_q10 = t7 + t15;
-        const double gap_y_6_by_q10 = t4 - t14;
-        const double stretch_6_by_q10 = (gap_x_6 * gap_x_6_by_q10 - gap_y_6 * gap_y_6_by_q10) * t22;
+        const double stretch_6_by_q10 = (gap_x_6 * (t7 + t15) - gap_y_6 * (t4 - t14)) * t22;
         const double H_00 = t23 + stretch_6_by_q10 * stretch_6_by_q10;
         const double t24 = stretch_by_q10 * stretch_by_q11 + stretch_2_by_q10 * stretch_2_by_q11
             - stretch_4_by_q10 * stretch_4_by_q11;
@@ -2462,8 +2240,7 @@ void thumb_table_5_2_link_position_covariance_batch(int count, const double *SIN
         const double determinant_floor = 1e-24 + 1e-09 * H_00 * H_11;
         const double deviation = sinew_min(sinew_max(sigma[state], 0.0), 1.0);
         const double scale = deviation * deviation / sinew_max(determinant, determinant_floor);
-        const double mixed = H_01 * scale;
-        const double t25 = -mixed;
+        const double t25 = -(H_01 * scale);
         covariance[state] = H_11 * scale;
         covariance[1 * n + state] = t25;
         covariance[2 * n + state] = t25;
@@ -2514,8 +2291,7 @@ void thumb_table_5_2_bending_angles_batch(int count, const double *SINEW_RESTRIC
         const double A_stretch_dy = t10 - t11;
         const double A_stretch_end_dz = t7 + R21y * A_stretch_dx + R22y * A_stretch_dy;
         const double A_stretch_end_asidey = 0.045 * A_stretch_end_dz;
-        const double A_stretch_end_dy = c1 * A_stretch_dy - s1 * A_stretch_dx;
-        const double A_stretch_end_asidez = 0.045 * A_stretch_end_dy;
+        const double A_stretch_end_asidez = 0.045 * (c1 * A_stretch_dy - s1 * A_stretch_dx);
         const double t12 = A_stretch_end_asidey * A_stretch_end_asidey + A_stretch_end_asidez
             * A_stretch_end_asidez;
         const double t13 = s2 * A_stretch_dz;
@@ -2533,8 +2309,7 @@ void thumb_table_5_2_bending_angles_batch(int count, const double *SINEW_RESTRIC
         const double B_stretch_dy = t18 - t11;
         const double B_stretch_end_dz = t17 - R21y * B_stretch_dx - R22y * B_stretch_dy;
         const double B_stretch_end_asidey = 0.045 * B_stretch_end_dz;
-        const double B_stretch_end_dy = c1 * B_stretch_dy - s1 * B_stretch_dx;
-        const double B_stretch_end_asidez = 0.045 * B_stretch_end_dy;
+        const double B_stretch_end_asidez = 0.045 * (c1 * B_stretch_dy - s1 * B_stretch_dx);
         const double t19 = B_stretch_end_asidey * B_stretch_end_asidey + B_stretch_end_asidez
             * B_stretch_end_asidez;
         const double t20 = s2 * B_stretch_dz;
@@ -2548,8 +2323,7 @@ void thumb_table_5_2_bending_angles_batch(int count, const double *SINEW_RESTRIC
         const double C_stretch_dy = t18 + t11;
         const double C_stretch_end_dz = t7 + R21y * C_stretch_dx - R22y * C_stretch_dy;
         const double C_stretch_end_asidey = 0.045 * C_stretch_end_dz;
-        const double C_stretch_end_dy = c1 * C_stretch_dy + s1 * C_stretch_dx;
-        const double C_stretch_end_asidez = 0.045 * C_stretch_end_dy;
+        const double C_stretch_end_asidez = 0.045 * (c1 * C_stretch_dy + s1 * C_stretch_dx);
         const double t23 = C_stretch_end_asidey * C_stretch_end_asidey + C_stretch_end_asidez
             * C_stretch_end_asidez;
         const double C_stretch_end_dx = t13 - R21x * C_stretch_dx + R22x * C_stretch_dy;
@@ -2560,8 +2334,7 @@ void thumb_table_5_2_bending_angles_batch(int count, const double *SINEW_RESTRIC
         const double D_stretch_dy = t10 + t11;
         const double D_stretch_end_dz = t17 - R21y * D_stretch_dx + R22y * D_stretch_dy;
         const double D_stretch_end_asidey = 0.045 * D_stretch_end_dz;
-        const double D_stretch_end_dy = c1 * D_stretch_dy + s1 * D_stretch_dx;
-        const double D_stretch_end_asidez = 0.045 * D_stretch_end_dy;
+        const double D_stretch_end_asidez = 0.045 * (c1 * D_stretch_dy + s1 * D_stretch_dx);
         const double t25 = D_stretch_end_asidey * D_stretch_end_asidey + D_stretch_end_asidez
             * D_stretch_end_asidez;
         const double D_stretch_end_dx = t20 + R21x * D_stretch_dx - R22x * D_stretch_dy;
