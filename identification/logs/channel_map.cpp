@@ -46,7 +46,8 @@ class Mapper {
     ColumnMap result;
     if (const auto time = find(time_spec())) result.time = *time;
     for (const ChannelSpec& s : specs_)
-      if (const auto column = find(s)) result.channels.push_back(*column);
+      if (const auto column = find(s); column && !is_taken(*column, result.channels))
+        result.channels.push_back(*column);
     note_unused();
     if (std::any_of(faults_.begin(), faults_.end(),
                     [](const DataFault& f) { return f.severity == Severity::stop; }))
@@ -62,6 +63,13 @@ class Mapper {
     time.unit = "s";
     time.required = true;
     return time;
+  }
+
+  /// A velocity that a position is the integral of says nothing more as a channel of its own.
+  static bool is_taken(const MappedColumn& m, const std::vector<MappedColumn>& before) {
+    return std::any_of(before.begin(), before.end(), [&](const MappedColumn& other) {
+      return other.is_rate && other.column == m.column;
+    });
   }
 
   void report(FaultKind kind, Severity severity, int column, const std::string& channel,
@@ -176,12 +184,46 @@ class Mapper {
         if (column < 0) column = column_with_suffix(alias);
       }
     }
-    if (column < 0 && s.required)
-      report(FaultKind::missing_cell, Severity::stop, 0, s.name,
-             fmt::format("no column for channel '{} [{}]'; the header has: {}", s.name, s.unit,
-                         listed(column_names())),
-             fmt::format("map it: --map \"{}=column name [unit]\"", s.name));
     return column;
+  }
+
+  void report_missing(const ChannelSpec& s) {
+    report(FaultKind::missing_cell, Severity::stop, 0, s.name,
+           fmt::format("no column for channel '{} [{}]'; the header has: {}", s.name, s.unit,
+                       listed(column_names())),
+           fmt::format("map it: --map \"{}=column name [unit]\"", s.name));
+  }
+
+  /// The velocity of a position's coordinate; null: the model knows none.
+  const ChannelSpec* velocity_of(const ChannelSpec& s) const {
+    if (s.role != ChannelRole::position) return nullptr;
+    const auto found = std::find_if(specs_.begin(), specs_.end(), [&](const ChannelSpec& other) {
+      return other.role == ChannelRole::velocity && other.group == s.group;
+    });
+    return found == specs_.end() ? nullptr : &*found;
+  }
+
+  /// A position that the log does not have, from the velocity that it has.
+  std::optional<MappedColumn> integral(const ChannelSpec& s) {
+    const ChannelSpec* rate = velocity_of(s);
+    const int column = rate && s.required ? column_of(*rate) : -1;
+    if (column < 0) {
+      if (s.required) report_missing(s);
+      return std::nullopt;
+    }
+    const std::optional<MappedColumn> mapped = find(*rate);
+    if (!mapped) return std::nullopt;
+    return integral_of(s, column, mapped->factor);
+  }
+
+  MappedColumn integral_of(const ChannelSpec& s, int column, double factor) {
+    report(FaultKind::missing_cell, Severity::doubtful, column + 1, s.name,
+           fmt::format("'{}' is a velocity, and channel '{}' a position",
+                       cells_[static_cast<size_t>(column)].whole, s.name),
+           fmt::format("'{}' is its integral from 0 on: what depends on the position itself, such "
+                       "as gravity, is only as true as that zero",
+                       s.name));
+    return {column + 1, factor, s, false, true};
   }
 
   std::string unit_of(const ChannelSpec& s, int column) {
@@ -202,6 +244,7 @@ class Mapper {
 
   std::optional<MappedColumn> find(const ChannelSpec& s) {
     const int column = column_of(s);
+    if (column < 0 && !override_of(s)) return integral(s);
     if (column < 0) return std::nullopt;
     used_[static_cast<size_t>(column)] = true;
     const std::string& whole = cells_[static_cast<size_t>(column)].whole;
@@ -217,6 +260,9 @@ class Mapper {
     const std::optional<Unit> given = text == kWhateverSi ? wanted : parse_unit(text);
     if (given && s.role == ChannelRole::effort && convertible(*given, *parse_unit("A")))
       return current(s, column, given->factor);
+    if (const auto rate = parse_unit(s.unit + "/s");
+        given && s.role == ChannelRole::position && rate && convertible(*given, *rate))
+      return integral_of(s, column, given->factor / rate->factor);
     if (!given || !convertible(*given, *wanted)) {
       report(FaultKind::wrong_unit, Severity::stop, column + 1, s.name,
              given ? fmt::format("'{}' cannot be a unit of channel '{}', which is in {}", text,

@@ -16,6 +16,7 @@ struct MappedColumn {
   double factor = 1.0;
   ChannelSpec spec;
   bool is_current = false;  ///< an effort that is logged as a current
+  bool is_rate = false;     ///< a position that is logged as a velocity: the channel's integral
 };
 
 struct ColumnMap {
@@ -30,7 +31,8 @@ bool names_channel(const std::vector<std::string>& header,
 
 /// Finds every channel of `specs` in the header. `overrides` are texts of --map:
 /// "channel=column name [unit]" or "channel=#3 [unit]". Names match exactly, else without regard
-/// to case. Throws LogError, each finding naming the header's row and the column: a required
+/// to case. A position that is not there, or whose column has a velocity's unit, is the integral of
+/// a velocity. Throws LogError, each finding naming the header's row and the column: a required
 /// channel is not there, a unit is missing, unknown or of another kind, a name occurs twice.
 ColumnMap map_columns(const std::vector<std::string>& header, const std::vector<ChannelSpec>& specs,
                       const std::vector<std::string>& overrides, const std::string& file,

@@ -215,6 +215,17 @@ std::string toml_key(const std::string& name) {
   return name.find_first_not_of(bare) == name.npos ? name : toml_text(name);
 }
 
+/// A position is the integral of its velocity where the log has that alone.
+void need_no_position_beside_velocity(const std::vector<ChannelSpec>& specs,
+                                      std::vector<ChannelGuess>& guesses) {
+  for (std::size_t i = 0; i < specs.size(); ++i)
+    for (std::size_t k = 0; k < specs.size(); ++k)
+      if (specs[i].role == ChannelRole::position && specs[k].role == ChannelRole::velocity &&
+          specs[i].group == specs[k].group && guesses[i].kind == GuessKind::none &&
+          (guesses[k].kind == GuessKind::understood || guesses[k].kind == GuessKind::guessed))
+        guesses[i].required = false;
+}
+
 }  // namespace
 
 std::vector<ChannelGuess> guess_channels(const std::vector<std::string>& header,
@@ -238,6 +249,7 @@ std::vector<ChannelGuess> guess_channels(const std::vector<std::string>& header,
       if (all[i].required != required || guesses[i].kind != GuessKind::none) continue;
       i == 0 ? guesser.guess_time(guesses[i]) : guesser.guess(all[i], guesses[i]);
     }
+  need_no_position_beside_velocity(all, guesses);
   return guesses;
 }
 

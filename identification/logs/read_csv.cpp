@@ -13,6 +13,7 @@
 #include "identification/logs/data_faults.h"
 #include "identification/logs/full_turns.h"
 #include "identification/logs/inspect.h"
+#include "identification/logs/running_integral.h"
 #include "identification/logs/sha256.h"
 #include "identification/logs/uniform_grid.h"
 
@@ -100,11 +101,20 @@ class Reading {
     }
   }
 
-  /// A row's values in SI units, wrapped angles joined; NaN where a cell has no number.
+  /// What is followed from row to row, at the beginning of a passage.
+  void start_passage() {
+    turns_.assign(map_.channels.size(), FullTurns());
+    integrals_.assign(map_.channels.size(), RunningIntegral());
+  }
+
+  /// A row's values in SI units, velocities integrated where a position is asked for, wrapped
+  /// angles joined; NaN where a cell has no number.
   std::vector<double> values_of(const CsvRow& row) {
     std::vector<double> values(map_.channels.size());
     for (size_t c = 0; c < values.size(); ++c) {
       values[c] = row.value[c + 1] * map_.channels[c].factor;
+      if (map_.channels[c].is_rate)
+        values[c] = integrals_[c].push(row.value[0] * map_.time.factor, values[c]);
       if (joined_.empty() || joined_[c]) values[c] = turns_[c].push(row.line, values[c]);
     }
     return values;
@@ -122,7 +132,7 @@ class Reading {
   }
 
   void inspect() {
-    turns_.assign(map_.channels.size(), FullTurns());
+    start_passage();
     Sha256 hash;
     reader_.on_bytes([&](const char* bytes, size_t count) { hash.update(bytes, count); });
     reader_.select(columns_of(map_));
@@ -232,7 +242,7 @@ class Reading {
     again.select(columns_of(map_));
     CsvRow row;
     const std::vector<double> shifts = whole_turns();
-    turns_.assign(map_.channels.size(), FullTurns());
+    start_passage();
     size_t first_hole = 0;
     while (again.next(row)) {
       std::vector<double> values = values_of(row);
@@ -284,6 +294,7 @@ class Reading {
   ColumnMap map_;
   Inspection inspection_;
   std::vector<FullTurns> turns_;
+  std::vector<RunningIntegral> integrals_;
   std::vector<bool> joined_;  ///< angles that are wrapped; empty: not known yet, all are followed
   std::vector<Hole> holes_;
   Log log_;

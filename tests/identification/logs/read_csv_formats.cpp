@@ -154,6 +154,45 @@ TEST_CASE("units and names are converted as the header or --map says") {
   check_read(body(style));
 }
 
+/// theta_at's rate by time, once every 2 ms.
+double omega_at(int k) {
+  return 500.0 * (0.5 * 0.02 * std::cos(0.02 * k) + 0.2 * 0.0311 * std::cos(0.0311 * k));
+}
+
+std::string body_with_speed(const std::string& header, double unit, int empty = -1) {
+  std::string text = header;
+  for (int k = 0; k < 600; ++k)
+    text += fmt::format("{:.10g},{},{:.10g}\n", 0.002 * k,
+                        k == empty ? "" : fmt::format("{:.10g}", omega_at(k) / unit), tau_at(k));
+  return text;
+}
+
+// Planted, each seen red: rectangles, a unit's factor left out, the sum begun anew behind an empty
+// cell, and an empty cell taken for a speed of 0.
+TEST_CASE("a position that is not logged is the integral of the velocity") {
+  const auto check = [](const std::string& text, const std::vector<std::string>& map = {}) {
+    ReadOptions options;
+    options.map = map;
+    const Log log = read_csv(write_file("speed.csv", text), rotary_drive_channels(), options);
+    REQUIRE(log.channel("theta") == 0);
+    CHECK(log.channel("omega") < 0);
+    REQUIRE(log.segments.size() == 1);
+    double worst = 0.0;
+    for (int k = 0; k < 600; ++k)
+      worst = std::max(worst, std::abs(log.segments[0].samples(k, 0) - theta_at(k)));
+    CHECK(worst < 1e-4);  // of trapezoids
+    REQUIRE(!log.faults.empty());
+    CHECK(log.faults[0].severity == Severity::doubtful);
+    CHECK(message(log.faults[0]).find("its integral from 0 on") != std::string::npos);
+  };
+  const double rpm = 3.14159265358979323846 / 30.0;
+  check(body_with_speed("time [s],omega [rad/s],tau_m [N·m]\n", 1.0));
+  check(body_with_speed("time [s],omega [rpm],tau_m [N·m]\n", rpm));
+  check(body_with_speed("time [s],omega [rad/s],tau_m [N·m]\n", 1.0, 300));
+  check(body_with_speed("time [s],speed,tau_m [N·m]\n", rpm), {"theta=speed [rpm]"});
+  check(body_with_speed("time [s],speed,tau_m [N·m]\n", 1.0), {"omega=speed [rad/s]"});
+}
+
 TEST_CASE("what cannot be understood stops with file, row and column") {
   Style style;
   style.header = "time [s],theta,tau_m [N·m]\n";
