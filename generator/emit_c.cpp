@@ -181,7 +181,9 @@ std::string emit_part(const EmittedModel& model, const CallingFunction& part) {
 
 /// Of every function, side by side; the parts first.
 std::vector<std::string> emit_functions(const EmittedModel& model) {
-  std::vector<CallingFunction> functions = find_calls(model.functions, loop_limits(model.target));
+  // Also where size counts: what a call executes for a few of its results is never worth it, and a
+  // function that calls another for much has less alike with others.
+  std::vector<CallingFunction> functions = find_calls(model.functions, LoopLimits{});
   const std::vector<CallingFunction> parts = find_parts(functions, loop_limits(model.target));
   std::vector<std::string> texts(parts.size() + model.functions.size());
   std::atomic<std::size_t> next = 0;

@@ -129,8 +129,7 @@ class PartCaller {
   }
 
   std::optional<CallingFunction> run() {
-    std::vector<Value> wanted = graph_.results();
-    for (Value v : wanted)
+    for (Value v : graph_.results())
       if (!need(v)) return std::nullopt;
     lay_out();
     for (Value v = 0; v < graph_.size(); ++v)

@@ -23,8 +23,8 @@ struct PartInstance {
 struct PartDraft {
   std::string name;
   const CallingFunction* base = nullptr;
-  std::vector<Value> at;           ///< the numbers that it takes
-  std::vector<std::string> names;  ///< what they are called
+  std::vector<Value> at;           ///< the angles of its place
+  std::vector<std::string> names;  ///< what its numbers_of() are called
   std::vector<bool> belongs;       ///< by value
   std::vector<Value> results;
 };
@@ -39,7 +39,8 @@ CallingFunction made_part(const PartDraft& draft);
 /// The arrays among the base's arguments that it takes.
 std::set<std::size_t> arrays_of_part(const PartDraft& draft);
 
-/// How the numbers that a part takes are found in the values of its draft's base.
+/// The numbers that it takes, as values of its base: angles of its place first, then what else it
+/// needs and does not compute.
 std::vector<Value> numbers_of(const PartDraft& draft);
 
 /// A function with the part called at these instances, all of that function. Nothing where what is

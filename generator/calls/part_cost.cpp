@@ -8,7 +8,8 @@
 namespace sinew {
 namespace {
 
-/// A call with its argument, what it saves on the stack, its return: Cortex-A9.
+/// A call with the numbers that it passes, what it saves on the stack, its return: Cortex-A9. What
+/// it gives is counted where it is loaded.
 constexpr int executed_by_call = 24;
 constexpr int written_by_call = 4;
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What parts cost: instructions and stack of functions that call each other.
 #pragma once
 
 #include <cstddef>
