@@ -221,34 +221,50 @@ Index Design::width(const Candidate& candidate) const {
   return static_cast<Index>(coefficients(candidate).size());
 }
 
-BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinear, int derivative,
-                            double* in_band) const {
-  double raw_energy = 0.0, raw_power = 0.0, band_energy = 0.0;
+/// Empty where the candidate does not act.
+MatrixXd Design::segment_columns(std::size_t i, const Candidate& candidate,
+                                 const VectorXd& nonlinear, int derivative,
+                                 Energies& energies) const {
+  const Segment& s = segments_[i];
+  if (!acts_on(candidate, s.channel)) return {};
+  const MatrixXd raw = candidate.columns(recording(s.recording), s.channel, nonlinear);
+  if (raw.cols() == 0) return {};
+  if (raw.cols() != static_cast<Index>(candidate.linear.size()))
+    throw std::logic_error("candidate '" + candidate.name + "': columns and coefficients differ");
+  if (!raw.allFinite())
+    throw std::invalid_argument("log '" + recording(s.recording).name + "': the columns of '" +
+                                candidate.name + "' are not finite everywhere");
+  const MatrixXd band =
+      seen_band(static_cast<int>(i), filtered(static_cast<int>(i), raw, 0.0, derivative));
+  energies.raw += energy_per_sample(raw);
+  energies.power += raw.squaredNorm() / static_cast<double>(raw.rows());
+  energies.band += band.bottomRows(band.rows() - 2).squaredNorm() / windows_[i].squaredNorm();
   const std::vector<Coefficient> layout = coefficients(candidate);
+  MatrixXd result = MatrixXd::Zero(band.rows(), static_cast<Index>(layout.size()));
+  for (std::size_t c = 0; c < layout.size(); ++c)
+    if (layout[c].recording < 0 || layout[c].recording == s.recording)
+      result.col(static_cast<Index>(c)) = band.col(layout[c].parameter);
+  return result;
+}
+
+BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinear,
+                            int derivative) const {
+  Energies energies;
   BandColumns result(segments_.size());
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const Segment& s = segments_[i];
-    if (!acts_on(candidate, s.channel)) continue;
-    const MatrixXd raw = candidate.columns(recording(s.recording), s.channel, nonlinear);
-    if (raw.cols() == 0) continue;
-    if (raw.cols() != static_cast<Index>(candidate.linear.size()))
-      throw std::logic_error("candidate '" + candidate.name + "': columns and coefficients differ");
-    if (!raw.allFinite())
-      throw std::invalid_argument("log '" + recording(s.recording).name + "': the columns of '" +
-                                  candidate.name + "' are not finite everywhere");
-    const MatrixXd band =
-        seen_band(static_cast<int>(i), filtered(static_cast<int>(i), raw, 0.0, derivative));
-    raw_energy += energy_per_sample(raw);
-    raw_power += raw.squaredNorm() / static_cast<double>(raw.rows());
-    band_energy += band.bottomRows(band.rows() - 2).squaredNorm() / windows_[i].squaredNorm();
-    result[i] = MatrixXd::Zero(band.rows(), static_cast<Index>(layout.size()));
-    for (std::size_t c = 0; c < layout.size(); ++c)
-      if (layout[c].recording < 0 || layout[c].recording == s.recording)
-        result[i].col(static_cast<Index>(c)) = band.col(layout[c].parameter);
-  }
+  for (std::size_t i = 0; i < segments_.size(); ++i)
+    result[i] = segment_columns(i, candidate, nonlinear, derivative, energies);
+  return result;
+}
+
+BandColumns Design::training_columns(const Candidate& candidate, const VectorXd& nonlinear,
+                                     double& in_band) const {
+  Energies energies;
+  BandColumns result(segments_.size());
+  for (std::size_t i = 0; i < segments_.size(); ++i)
+    if (!segments_[i].holdout) result[i] = segment_columns(i, candidate, nonlinear, 0, energies);
   // What never changes lies in the band, whatever rounding leaves of its changes.
   constexpr double rounding = 1e-12;
-  if (in_band) *in_band = raw_energy > rounding * raw_power ? band_energy / raw_energy : 1.0;
+  in_band = energies.raw > rounding * energies.power ? energies.band / energies.raw : 1.0;
   return result;
 }
 

@@ -55,10 +55,13 @@ class Design {
   };
   std::vector<Coefficient> coefficients(const Candidate& candidate) const;
 
-  /// Filtered columns (derivative = 1: their time derivative) of all segments. in_band: the share
-  /// of the raw columns' energy (means taken out) that is left after the filter.
+  /// Filtered columns (derivative = 1: their time derivative) of all segments.
   BandColumns columns(const Candidate& candidate, const Eigen::VectorXd& nonlinear,
-                      int derivative = 0, double* in_band = nullptr) const;
+                      int derivative = 0) const;
+  /// The same of the training logs alone, those of held-out segments empty. in_band: the share of
+  /// the raw columns' energy (means taken out) that is left after the filter.
+  BandColumns training_columns(const Candidate& candidate, const Eigen::VectorXd& nonlinear,
+                               double& in_band) const;
 
   /// Raw columns put through the segment's filter, decimated time domain. They may have the samples
   /// of the log as given or of recording().
@@ -83,6 +86,12 @@ class Design {
   Eigen::VectorXd at_instants(int segment, const Eigen::VectorXd& raw) const;
 
  private:
+  struct Energies {
+    double raw = 0.0, power = 0.0, band = 0.0;
+  };
+  Eigen::MatrixXd segment_columns(std::size_t segment, const Candidate& candidate,
+                                  const Eigen::VectorXd& nonlinear, int derivative,
+                                  Energies& energies) const;
   Eigen::MatrixXd seen_band(int segment, const Eigen::MatrixXd& samples) const;
   void add_segments(const std::vector<Recording>& recordings, int first, bool holdout);
   const Recording& given(int index) const;

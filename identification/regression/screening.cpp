@@ -225,8 +225,8 @@ Library::Library(const Design& design) {
   }
   tbb::parallel_for(0, static_cast<int>(slots_.size()), [&](int i) {
     Slot& slot = slots_[static_cast<std::size_t>(i)];
-    slot.columns = design.columns(library[static_cast<std::size_t>(slot.candidate)], slot.nonlinear,
-                                  0, &slot.in_band);
+    slot.columns = design.training_columns(library[static_cast<std::size_t>(slot.candidate)],
+                                           slot.nonlinear, slot.in_band);
   });
 }
 

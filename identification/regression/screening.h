@@ -14,7 +14,7 @@ namespace sinew::diagnosis {
 struct Slot {
   int candidate = 0;
   Eigen::VectorXd nonlinear;
-  BandColumns columns;
+  BandColumns columns;   ///< of the training logs
   double in_band = 1.0;  ///< share of the raw columns' energy that the filter leaves
 };
 

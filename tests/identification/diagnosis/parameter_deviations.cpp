@@ -209,7 +209,7 @@ TEST_CASE("a column that never changes lies in the band, whatever rounding makes
     return VectorXd::Ones(log.q.rows()) + 1e-14 * VectorXd::Random(log.q.rows());
   };
   double in_band = 0.0;
-  Design(c.problem, c.settings).columns(constant, VectorXd(), 0, &in_band);
+  Design(c.problem, c.settings).training_columns(constant, VectorXd(), in_band);
   CHECK(in_band == 1.0);
 }
 
