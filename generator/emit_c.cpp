@@ -164,9 +164,8 @@ std::string emit_function(const EmittedModel& model, const Graph& graph,
     if (!reads_port(function.rest, port.name) && !passes_port(function, port.name))
       text += fmt::format("    (void){};\n", port.name);
   text += calls_text(model, function);
-  LoopLimits limits = loop_limits(model.target);
-  limits.arrays -= array_elements(function.calls);  // find_calls keeps within it
-  const PlannedGraph planned = plan_graph(function.rest, limits);
+  const PlannedGraph planned =
+      plan_graph(function.rest, limits_beside(function.calls, loop_limits(model.target)));
   for (const std::string& line : statements(planned.graph, planned.plan, model.target, names))
     text += "    " + line + "\n";
   return wrap_lines(text + "}\n");

@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <set>
 
 #include "generator/literal.h"
+#include "generator/local_names.h"
 #include "generator/loops/loop_text.h"
 #include "generator/runtime_calls.h"
 
@@ -19,15 +18,6 @@ constexpr std::size_t longest_expression = 72;
 /// Of a named step that is used once: its name would take a line and say little more.
 constexpr std::size_t longest_in_place = 40;
 
-/// Words that no variable may be called by.
-constexpr std::array c_words{
-    "_Bool",    "_Complex", "_Imaginary", "asm",      "auto",     "bool",    "break",  "case",
-    "char",     "const",    "continue",   "default",  "do",       "double",  "else",   "enum",
-    "errno",    "extern",   "false",      "float",    "for",      "goto",    "if",     "inline",
-    "int",      "long",     "NULL",       "register", "restrict", "return",  "short",  "signed",
-    "sizeof",   "static",   "struct",     "switch",   "true",     "typedef", "typeof", "union",
-    "unsigned", "void",     "volatile",   "while"};
-
 /// How tightly an expression binds in C.
 enum Binding { binds_sum = 1, binds_product = 2, binds_unary = 3, binds_atom = 4 };
 
@@ -36,39 +26,16 @@ struct Text {
   Binding binding = binds_atom;
 };
 
-/// The names of one function, loops' bodies included.
-struct TakenNames {
-  std::set<std::string> taken;
-  int numbered = 0;
-};
-
-TakenNames reserved_names(const Graph& graph, const Target& target) {
-  std::set<std::string> taken(c_words.begin(), c_words.end());
-  for (const Port& port : graph.inputs) taken.insert(port.name);
-  for (const Port& port : graph.outputs) taken.insert(port.name);
-  taken.insert({"count", "state"});
-  for (int op = 0; op <= static_cast<int>(Op::choose); ++op)
-    if (const char* function = runtime_function(static_cast<Op>(op)))
-      taken.insert(function + std::string(target.suffix()));
-  for (const char* angles : {"", "2", "4"})
-    for (const char* stem : {"sinew_sincos", "sinew_one_sincos"})
-      taken.insert(fmt::format("{}{}{}", stem, angles, target.suffix()));
-  taken.insert(fmt::format("sinew_fma{}", target.suffix()));
-  for (const Node& node : graph.nodes())
-    if (const std::string name = shared_name(node.op, target); !name.empty()) taken.insert(name);
-  return {taken, 0};
-}
-
 class Writer {
  public:
   Writer(const Graph& graph, const Plan& plan, const Target& target, const ArrayNames& names,
-         TakenNames& taken)
+         LocalNames& local_names)
       : graph_(graph),
         plan_(plan),
         target_(target),
         names_(names),
         texts_(static_cast<std::size_t>(graph.size())),
-        taken_(taken) {}
+        local_names_(local_names) {}
 
   std::vector<std::string> run() {
     const bool early = names_.side_by_side && !names_.stores_last && stores_early(graph_);
@@ -263,18 +230,10 @@ class Writer {
 
   std::string fresh_name(Value v, const std::string& prefix) {
     const std::string& label = graph_.label(v);
-    if (label.empty()) return fresh_name(prefix);
-    std::string name = label;
-    for (int i = 2; !taken_.taken.insert(name).second; ++i) name = fmt::format("{}_{}", label, i);
-    return name;
+    return label.empty() ? fresh_name(prefix) : local_names_.labelled(label);
   }
 
-  std::string fresh_name(const std::string& prefix) {
-    std::string name;
-    do name = fmt::format("{}{}", prefix, ++taken_.numbered);
-    while (!taken_.taken.insert(name).second);
-    return name;
-  }
+  std::string fresh_name(const std::string& prefix) { return local_names_.numbered(prefix); }
 
   Text form(const Node& node) {
     switch (node.op) {
@@ -400,7 +359,7 @@ class Writer {
       return leaf.kind == LoopLeaf::Kind::shared ? this->text(leaf.value).text : text.leaves[i];
     };
     const Plan plan = straight_plan(loop.body);
-    return Writer(loop.body, plan, target_, names, taken_).run();
+    return Writer(loop.body, plan, target_, names, local_names_).run();
   }
 
   const Graph& graph_;
@@ -408,7 +367,7 @@ class Writer {
   const Target& target_;
   const ArrayNames& names_;
   std::vector<Text> texts_;
-  TakenNames& taken_;
+  LocalNames& local_names_;
   std::vector<std::string> lines_;
   std::map<Value, std::pair<std::string, int>> kept_;  ///< by loops: array and place
   std::size_t at_ = 0;                                 ///< the step being written
@@ -446,8 +405,8 @@ bool reads_port(const Graph& graph, const std::string& name) {
 
 std::vector<std::string> statements(const Graph& graph, const Plan& plan, const Target& target,
                                     const ArrayNames& names) {
-  TakenNames taken = reserved_names(graph, target);
-  return Writer(graph, plan, target, names, taken).run();
+  LocalNames local_names(graph, target);
+  return Writer(graph, plan, target, names, local_names).run();
 }
 
 }  // namespace sinew

@@ -235,6 +235,11 @@ std::size_t array_elements(const std::vector<Call>& calls) {
   return count;
 }
 
+LoopLimits limits_beside(const std::vector<Call>& calls, LoopLimits limits) {
+  limits.arrays -= std::min(limits.arrays, array_elements(calls));
+  return limits;
+}
+
 std::vector<CallingFunction> find_calls(const std::vector<Graph>& functions,
                                         const LoopLimits& limits) {
   const CallFinder finder(functions, limits);

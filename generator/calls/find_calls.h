@@ -23,6 +23,9 @@ struct Call {
 /// Elements of all arrays that the calls fill.
 std::size_t array_elements(const std::vector<Call>& calls);
 
+/// What the arrays of a function's calls leave to its loops.
+LoopLimits limits_beside(const std::vector<Call>& calls, LoopLimits limits);
+
 /// A function as it is emitted: calls, and then what is left to compute.
 struct CallingFunction {
   std::vector<Call> calls;

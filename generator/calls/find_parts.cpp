@@ -121,9 +121,7 @@ class PartFinder {
   }
 
   int planned_size(const CallingFunction& function) const {
-    LoopLimits limits = limits_;
-    limits.arrays -= std::min(limits.arrays, array_elements(function.calls));
-    const Plan plan = plan_loops(function.rest, limits);
+    const Plan plan = plan_loops(function.rest, limits_beside(function.calls, limits_));
     return sinew::size_of(function.rest, plan).written + costs_.written_for_calls(function);
   }
 
