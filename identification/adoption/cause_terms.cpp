@@ -36,7 +36,10 @@ void fill_term(const std::string& id, CauseTerm& term) {
 
 }  // namespace
 
-std::string effect_of(const DrivenSubject& subject, int candidate) {
+std::string effect_of(const DrivenSubject& subject, const NamedCause& cause) {
+  // A cause without a term of the model may be one of the library all the same.
+  const int candidate =
+      cause.candidate == kNoTerm ? cause.members.front().candidate : cause.candidate;
   if (candidate == kNoTerm) return "unlogged_force";
   if (candidate >= 0) return subject.library_origins()[static_cast<std::size_t>(candidate)].effect;
   return subject.deviation_origin(-1 - candidate).effect;
@@ -45,7 +48,7 @@ std::string effect_of(const DrivenSubject& subject, int candidate) {
 void describe_terms(const DrivenSubject& subject, Findings& findings) {
   std::vector<NamedCause>& causes = findings.verdict.causes;
   for (std::size_t c = 0; c < causes.size(); ++c) {
-    const std::string id = effect_of(subject, causes[c].candidate);
+    const std::string id = effect_of(subject, causes[c]);
     tell_gain_change(id, causes[c].parameters);
     CauseTerm term;
     term.cause = static_cast<int>(c);

@@ -10,7 +10,7 @@
 namespace sinew::diagnosis {
 
 /// Identifier of what a cause's candidate stands for, as identified.toml and findings have it.
-std::string effect_of(const DrivenSubject& subject, int candidate);
+std::string effect_of(const DrivenSubject& subject, const NamedCause& cause);
 
 /// Adds the term of every cause of the verdict, and takes its parameters to those of the equation.
 void describe_terms(const DrivenSubject& subject, Findings& findings);

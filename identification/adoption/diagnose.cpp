@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/adoption/diagnose.h"
+#include "identification/adoption/lines_over_angle.h"
 
 #include <fmt/format.h>
 
@@ -194,6 +195,8 @@ class Run {
             : [this](int channel) { return subject_.experiments(channel); },
         explanation);
     write_motions(explanation.verdict);
+    for (NamedCause& line : lines_beside(subject_, explanation.verdict, request_.settings))
+      explanation.verdict.causes.push_back(std::move(line));
     if (force) explanation.verdict.causes.push_back(std::move(*force));
     return explanation;
   }
@@ -365,7 +368,7 @@ class Run {
   void remove_nuisances(Verdict& verdict) const {
     constexpr double good_part = 0.2, fast_part = 0.08;
     const auto is_noise = [&](const NamedCause& cause) {
-      const std::string origin = effect_of(subject_, cause.candidate);
+      const std::string origin = effect_of(subject_, cause);
       return origin == "sensor_noise" || origin == "sensor_quantisation";
     };
     const auto is_always_there = [&](const NamedCause& cause) {

@@ -267,7 +267,8 @@ Screening screen(const Design& design, const Library& library, const Model& mode
     if (scope == Scope::nameable &&
         candidates[static_cast<std::size_t>(slot.candidate)].kind == CandidateKind::flexible)
       return;
-    if (slot.in_band < kInBand && !candidates[static_cast<std::size_t>(slot.candidate)].broadband) {
+    const Candidate& source = candidates[static_cast<std::size_t>(slot.candidate)];
+    if (slot.in_band < kInBand && !source.broadband && !source.exact) {
       results[static_cast<std::size_t>(i)].data.gate = Gate::out_of_band;
       return;
     }

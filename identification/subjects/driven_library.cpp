@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What may be named at driven joints: the baseline's terms and the candidates beside them.
-#include <fmt/format.h>
-
 #include <numbers>
 
 #include "identification/regression/flexible_families.h"
@@ -19,10 +17,6 @@ using Eigen::VectorXd;
 
 // What fast effects have to explain where all fast motion is noise of the position.
 constexpr double kFastShare = 0.2;
-
-VectorXd number(double value) {
-  return VectorXd::Constant(1, value);
-}
 
 }  // namespace
 
@@ -128,52 +122,6 @@ void DrivenSubject::add_gear(std::size_t joint) {
   if (links) return add("link_backlash", joint);
   add("inertial_backlash", joint);
   if (scale(joint).load > 0.0) add("loaded_backlash", joint);
-}
-
-/// Where the model does not say how far a turn of the motor moves the joint.
-void DrivenSubject::add_ripple_of_any_period(std::size_t joint) {
-  const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
-  Candidate c = effect_candidate(find_effect("ripple"), where, scale(joint));
-  const NonlinearParameter visible = visible_periods(ranges(joint));
-  NonlinearParameter& wavenumber = c.nonlinear.front();
-  wavenumber.low = 2.0 * std::numbers::pi * visible.low;
-  wavenumber.high = 2.0 * std::numbers::pi * visible.high;
-  wavenumber.grid = visible.grid;
-  wavenumber.logarithmic = false;
-  problem_.library.push_back(std::move(c));
-  library_.push_back({"ripple", joint, {}, {}});
-}
-
-void DrivenSubject::add_ripples(std::size_t joint) {
-  const auto orders = [&](double turn, const std::string& shaft) {
-    if (turn <= 0.0) return;
-    const double rate = 2.0 * std::numbers::pi / turn;
-    // A link that turns under gravity has its weight once a turn.
-    const bool weight = is_lone_link() && shaft == "output";
-    // Less than a quarter of a period is a bend as any other.
-    const LogScale s = scale(joint);
-    const auto shows = [&](double order) { return order * (s.high - s.low) > 0.25 * turn; };
-    for (const int k : {1, 2, 3}) {
-      if (!shows(k)) continue;
-      add("ripple", joint,
-          k == 1 ? fmt::format("ripple once per {} turn", shaft)
-                 : fmt::format("ripple {} times per {} turn", k, shaft),
-          number(rate * k));
-      problem_.library.back().unlikely = weight && k == 1;
-    }
-    for (const double k : {0.73, 1.37, 2.41})
-      if (shows(k))
-        add("ripple", joint, fmt::format("ripple off every order of the {}", shaft),
-            number(rate * k), CandidateKind::decoy);
-    if (shows(1.0) && (s.load > 0.0 || carries_links(joint)))
-      add("load_ripple", joint, fmt::format("ripple proportional to load, once per {} turn", shaft),
-          number(rate));
-  };
-  if (model_.joints[joint].motor_turn > 0.0)
-    orders(model_.joints[joint].motor_turn, "motor");
-  else
-    add_ripple_of_any_period(joint);
-  orders(model_.joints[joint].output_turn, "output");
 }
 
 void DrivenSubject::add_model_candidates(std::size_t joint) {

@@ -284,6 +284,7 @@ void DrivenSubject::prepare(const Settings& settings) {
   problem_.library.clear();
   baseline_.clear();
   library_.clear();
+  lines_.clear();
   deviations_.clear();
   problem_.deviations.clear();
   for (std::size_t j = 0; j < bristle_.size(); ++j) add_baseline(j);

@@ -12,6 +12,7 @@
 #include "identification/regression/candidate.h"
 #include "identification/regression/flexible_families.h"
 #include "identification/regression/linear_fit.h"
+#include "identification/regression/order_spectrum.h"
 #include "identification/subjects/effect_candidate.h"
 #include "identification/subjects/effort_model.h"
 #include "identification/subjects/known_payload.h"
@@ -106,6 +107,17 @@ class DrivenSubject {
   const CandidateOrigin& deviation_origin(int deviation) const;
   /// As causes at a channel have it, "joint elbow" or "motor 3".
   std::string place(std::size_t joint) const;
+  /// A line over a shaft's angle that the training logs' efforts have: shaft_log() of them.
+  struct ShaftLine {
+    std::size_t joint = 0;
+    double turn = 0.0;  ///< rad or m of the joint
+    OrderLine line;
+    int candidate = 0;  ///< the ripple of the library at that order
+  };
+  const std::vector<ShaftLine>& shaft_lines() const { return lines_; }
+  /// A joint's effort as it was logged, above the band of the comparison too, over a shaft's turns:
+  /// what the model and splines in position, speed and load leave over.
+  ShaftLog shaft_log(std::size_t joint, double turn, const Recording& log) const;
   /// What is known of a joint's friction direction: true where it is a bristle state.
   bool bristle(std::size_t joint) const { return bristle_[joint]; }
 
@@ -128,6 +140,9 @@ class DrivenSubject {
                          Recording& log) const;
   void add_gear(std::size_t joint);
   void add_ripples(std::size_t joint);
+  void add_orders(std::size_t joint, double turn, const std::string& shaft,
+                  const std::vector<int>& known);
+  std::vector<OrderLine> lines_found(std::size_t joint, double turn) const;
   void add_ripple_of_any_period(std::size_t joint);
   void add_model_candidates(std::size_t joint);
   void add_deviations(std::size_t joint);
@@ -179,6 +194,7 @@ class DrivenSubject {
   std::vector<KnownPayload> payloads_;
   Problem problem_;
   std::vector<CandidateOrigin> library_, baseline_, deviations_;
+  std::vector<ShaftLine> lines_;
 };
 
 }  // namespace sinew::diagnosis

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <set>
 #include <stdexcept>
 
 #include "symbolic/dynamics/coordinates.h"
@@ -20,6 +22,25 @@ namespace {
 
 using GiNaC::ex;
 
+/// Ripple of a motor's parts: its current's sensors and amplifiers once and twice, its commutation
+/// six times a pair of poles, the slots' cogging, the teeth of its gear.
+std::vector<int> known_orders(const Joint& joint) {
+  std::set<int> orders;
+  const int pairs = joint.motor_poles / 2;
+  for (const int order : {pairs, 2 * pairs, 6 * pairs, joint.gear_teeth}) orders.insert(order);
+  if (pairs > 0 && joint.motor_slots > 0)
+    orders.insert(std::lcm(joint.motor_poles, joint.motor_slots));
+  orders.erase(0);
+  return {orders.begin(), orders.end()};
+}
+
+std::vector<int> orders_of(const std::vector<Ripple>& ripples) {
+  std::vector<int> orders;
+  for (const Ripple& ripple : ripples)
+    if (ripple.order == std::floor(ripple.order)) orders.push_back(static_cast<int>(ripple.order));
+  return orders;
+}
+
 DrivenJoint driven_joint(const Joint& joint) {
   DrivenJoint driven;
   driven.name = joint.name;
@@ -32,6 +53,7 @@ DrivenJoint driven_joint(const Joint& joint) {
   driven.friction_speed = joint.friction_speed;
   driven.armature = joint.armature;
   driven.motor_turn = joint.motor_turn;
+  driven.motor_orders = known_orders(joint);
   driven.output_turn = driven.revolute ? 2.0 * std::numbers::pi : 0.0;
   return driven;
 }
@@ -61,6 +83,8 @@ DrivenJoint driven_motor(const MotorParameters& motor, const std::string& name) 
   joint.friction_speed = motor.gamma1 > 0.0 ? 1.0 / motor.gamma1 : 0.0;
   joint.motor_turn = 2.0 * std::numbers::pi * motor.gear_ratio;
   joint.output_turn = 2.0 * std::numbers::pi;
+  joint.motor_orders = orders_of(motor.input_ripple);
+  joint.output_orders = orders_of(motor.output_ripple);
   return joint;
 }
 

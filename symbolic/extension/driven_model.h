@@ -29,6 +29,8 @@ struct DrivenJoint {
   double armature = 0.0;                   ///< kg m^2 or kg
   double motor_turn = 0.0;                 ///< motion for one turn of the motor; 0: unknown
   double output_turn = 0.0;                ///< motion for one turn of the output; 0: does not turn
+  std::vector<int> motor_orders;   ///< periods in a turn of the motor that its parts are known for
+  std::vector<int> output_orders;  ///< in a turn of the output
 };
 
 /// The tendons that drive the first coordinates: there the effort is -P^T f of their measured

@@ -102,6 +102,10 @@ class Checker {
         !(joint.motor_turn >= 0.0))
       wrong("has a drive with a negative value",
             "expected friction, friction_speed, armature and motor_turn >= 0");
+    if (joint.motor_poles < 0 || joint.motor_poles % 2 != 0 || joint.motor_slots < 0 ||
+        joint.gear_teeth < 0)
+      wrong("has a count of poles, slots or teeth that none has",
+            "expected an even number of motor_poles; motor_slots and gear_teeth >= 0");
   }
 
   bool moves(const std::string& name) const {

@@ -50,6 +50,9 @@ struct Joint {
   double friction_speed = 0.0;  ///< rad/s or m/s: friction * 2/pi atan(velocity / it); 0: unknown
   double armature = 0.0;        ///< kg m^2 or kg: the motor's inertia seen at the joint
   double motor_turn = 0.0;  ///< rad or m: motion of the joint for one turn of its motor; 0: unknown
+  int motor_poles = 0;      ///< of its motor's magnets, twice the pole pairs; 0: unknown
+  int motor_slots = 0;      ///< of its motor's stator; 0: unknown
+  int gear_teeth = 0;       ///< of the gear on its motor's shaft; 0: unknown
   SourceLocation where;
 };
 

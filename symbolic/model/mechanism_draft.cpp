@@ -10,6 +10,9 @@
 namespace sinew {
 namespace {
 
+// More than any motor or gear has.
+constexpr int kMostTeeth = 1000;
+
 /// Of length 1 to rounding: such an axis is taken as it is written, so that it reads back the same.
 bool is_unit(const Eigen::Vector3d& axis) {
   return std::abs(axis.squaredNorm() - 1.0) <= 1e-15;
@@ -152,6 +155,20 @@ class SectionReader {
                       joint.armature);
     read_not_negative(table, "motor_turn", turns ? Dimension::angle : Dimension::length,
                       joint.motor_turn);
+    read_count(table, "motor_poles", joint.motor_poles);
+    read_count(table, "motor_slots", joint.motor_slots);
+    read_count(table, "gear_teeth", joint.gear_teeth);
+  }
+
+  void read_count(TomlTable& table, const char* key, int& value) {
+    const auto quantity = table.quantity(key, Shape::scalar, Dimension::none, false);
+    if (!quantity) return;
+    const double given = quantity->values[0];
+    if (given >= 1.0 && given <= kMostTeeth && given == std::floor(given))
+      value = static_cast<int>(given);
+    else
+      findings_.add(quantity->where, fmt::format("{}.{} is no count", table.path(), key),
+                    fmt::format("expected a whole number from 1 to {}", kMostTeeth));
   }
 
   /// False where the key is not there.

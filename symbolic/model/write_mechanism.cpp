@@ -165,6 +165,9 @@ class Describer {
           turns ? Dimension::angular_velocity : Dimension::velocity);
     value("armature", joint.armature, turns ? Dimension::inertia : Dimension::mass);
     value("motor_turn", joint.motor_turn, turns ? Dimension::angle : Dimension::length);
+    value("motor_poles", joint.motor_poles, Dimension::none);
+    value("motor_slots", joint.motor_slots, Dimension::none);
+    value("gear_teeth", joint.gear_teeth, Dimension::none);
   }
 
   void frame(const Frame& frame) {

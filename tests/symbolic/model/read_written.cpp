@@ -92,6 +92,9 @@ sinew::Mechanism random_tree(unsigned seed) {
       joint.friction_speed = 0.2 / 3.0;
       joint.armature = 1e-3 / 3.0;
       joint.motor_turn = 0.05 / 3.0;
+      joint.motor_poles = 14;
+      joint.motor_slots = 12;
+      joint.gear_teeth = 17;
     }
     tree.bodies.push_back(body);
     tree.joints.push_back(joint);

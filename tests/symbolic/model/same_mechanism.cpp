@@ -20,7 +20,9 @@ bool same(const Joint& a, const Joint& b) {
          a.high == b.high && a.max_velocity == b.max_velocity &&
          a.max_acceleration == b.max_acceleration && a.damping == b.damping &&
          a.friction == b.friction && a.friction_speed == b.friction_speed &&
-         a.armature == b.armature && a.motor_turn == b.motor_turn;
+         a.armature == b.armature && a.motor_turn == b.motor_turn &&
+         a.motor_poles == b.motor_poles && a.motor_slots == b.motor_slots &&
+         a.gear_teeth == b.gear_teeth;
 }
 
 bool same(const PulleyRouting& a, const PulleyRouting& b) {

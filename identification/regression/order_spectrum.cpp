@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/regression/order_spectrum.h"
+
+#include <algorithm>
+#include <boost/math/special_functions/gamma.hpp>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
+#include <utility>
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kFalseAlarm = 1e-4;   // of a search over all orders
+constexpr double kNextToWhole = 0.25;  // of an order
+constexpr int kBinsAPeriod = 8;        // of the highest order
+constexpr double kMostBins = 4e6;
+
+/// Energy at equally spaced orders, from 0 on.
+struct OrderSpectrum {
+  double travel = 0.0;  ///< turns
+  double step = 0.0;    ///< orders; a quarter of what the travel resolves
+  VectorXd energy;
+  /// The next one to an order.
+  Index index(double order) const {
+    return std::clamp<Index>(static_cast<Index>(std::lround(order / step)), 0, energy.size() - 1);
+  }
+};
+
+/// The effort's integral over the angle in each of equal parts of the travel: time at rest counts
+/// for nothing, and a part that is passed often for as much more.
+OrderSpectrum spectrum_of(const ShaftLog& log, int highest) {
+  const double low = log.turns.minCoeff(), travel = log.turns.maxCoeff() - low;
+  const double bins_a_turn = static_cast<double>(kBinsAPeriod * highest);
+  const double wanted = std::ceil(travel * bins_a_turn) + 1.0;
+  if (!(travel >= 1.0) || !(wanted <= kMostBins)) return {};
+  std::size_t size = 1;
+  while (static_cast<double>(size) < 4.0 * wanted) size *= 2;
+  std::vector<double> bins(size, 0.0);
+  for (Index i = 1; i < log.turns.size(); ++i) {
+    const auto at = static_cast<std::size_t>((log.turns(i) - low) * bins_a_turn);
+    bins[at] += log.value(i) * std::abs(log.turns(i) - log.turns(i - 1));
+  }
+  Eigen::FFT<double> fft;
+  std::vector<std::complex<double>> lines;
+  fft.fwd(lines, bins);
+  OrderSpectrum spectrum;
+  spectrum.travel = travel;
+  spectrum.step = bins_a_turn / static_cast<double>(size);
+  const auto count = static_cast<Index>((highest + 8.0) / spectrum.step);
+  spectrum.energy.resize(std::min(count, static_cast<Index>(size / 2)));
+  for (Index k = 0; k < spectrum.energy.size(); ++k)
+    spectrum.energy(k) = std::norm(lines[static_cast<std::size_t>(k)]);
+  return spectrum;
+}
+
+/// Mean energy of noise around an order, by the median of what is around its line.
+double noise_around(const OrderSpectrum& s, int order) {
+  const double line = 1.5 / s.travel, around = 2.0 + 8.0 / s.travel;
+  std::vector<double> noise;
+  for (Index k = s.index(order - around); k <= s.index(order + around); ++k)
+    if (std::abs(s.step * static_cast<double>(k) - order) > line) noise.push_back(s.energy(k));
+  if (noise.empty()) return 0.0;
+  const auto middle = noise.begin() + static_cast<std::ptrdiff_t>(noise.size() / 2);
+  std::nth_element(noise.begin(), middle, noise.end());
+  return *middle / std::log(2.0);
+}
+
+/// The logs' energies at a whole order, each over its noise; 0 where the next top of their sum lies
+/// elsewhere.
+double prominence(const std::vector<OrderSpectrum>& spectra, int order) {
+  constexpr int steps = 20;  // to half an order on each side
+  VectorXd sum = VectorXd::Zero(2 * steps + 1);
+  for (const OrderSpectrum& s : spectra) {
+    const double noise = noise_around(s, order);
+    if (!(noise > 0.0)) continue;
+    for (Index i = 0; i < sum.size(); ++i)
+      sum(i) += s.energy(s.index(order + 0.5 * static_cast<double>(i - steps) / steps)) / noise;
+  }
+  Index top = 0;
+  sum.maxCoeff(&top);
+  return 0.5 * std::abs(static_cast<double>(top - steps)) / steps <= kNextToWhole ? sum(steps)
+                                                                                  : 0.0;
+}
+
+}  // namespace
+
+std::vector<OrderLine> order_lines(const std::vector<ShaftLog>& logs, int lowest, int highest) {
+  std::vector<OrderSpectrum> spectra;
+  for (const ShaftLog& log : logs) {
+    OrderSpectrum s = spectrum_of(log, highest);
+    if (s.energy.size() > 0) spectra.push_back(std::move(s));
+  }
+  std::vector<OrderLine> found;
+  if (spectra.empty() || highest < lowest) return found;
+  const double orders = highest - lowest + 1;
+  for (int order = lowest; order <= highest; ++order) {
+    OrderLine line{order, prominence(spectra, order), 1.0};
+    if (!(line.prominence > 0.0)) continue;
+    // Energies of noise are exponentially distributed.
+    line.chance =
+        orders * boost::math::gamma_q(static_cast<double>(spectra.size()), line.prominence);
+    if (line.chance < kFalseAlarm) found.push_back(line);
+  }
+  std::stable_sort(found.begin(), found.end(), [](const OrderLine& a, const OrderLine& b) {
+    return a.prominence > b.prominence;
+  });
+  return found;
+}
+
+LineFit fit_line(const ShaftLog& log, int order, int blocks) {
+  const Index n = log.turns.size() - 1;
+  // As the spectrum counts a sample: by the angle that it is made in.
+  const Eigen::ArrayXd weight = (log.turns.tail(n) - log.turns.head(n)).array().abs().sqrt();
+  const Eigen::ArrayXd angle = 2.0 * std::numbers::pi * order * log.turns.tail(n).array();
+  Eigen::MatrixXd columns(n, 2);
+  columns << weight * angle.sin(), weight * angle.cos();
+  const VectorXd values = weight * log.value.tail(n).array();
+  const auto first = [&](int block) { return n * block / blocks; };
+  std::vector<Eigen::Matrix2d> gram;
+  std::vector<Eigen::Vector2d> target;
+  Eigen::Matrix2d all = 1e-12 * static_cast<double>(n) * Eigen::Matrix2d::Identity();
+  Eigen::Vector2d all_target = Eigen::Vector2d::Zero();
+  for (int b = 0; b < blocks; ++b) {
+    const auto own = columns.middleRows(first(b), first(b + 1) - first(b));
+    gram.push_back(own.transpose() * own);
+    target.push_back(own.transpose() * values.segment(first(b), own.rows()));
+    all += gram.back();
+    all_target += target.back();
+  }
+  LineFit fit{0.0, 0.0, VectorXd(blocks), VectorXd(blocks)};
+  const Eigen::Vector2d sine = all.ldlt().solve(all_target);
+  fit.sine = sine(0);
+  fit.cosine = sine(1);
+  for (int b = 0; b < blocks; ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    const Eigen::Vector2d others = (all - gram[k]).ldlt().solve(all_target - target[k]);
+    const auto value = values.segment(first(b), first(b + 1) - first(b));
+    fit.without(b) = value.squaredNorm();
+    fit.with(b) = (value - columns.middleRows(first(b), value.size()) * others).squaredNorm();
+  }
+  return fit;
+}
+
+}  // namespace sinew::diagnosis

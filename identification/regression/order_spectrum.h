@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which orders of a turning shaft an effort holds: its spectrum over the angle instead of over
+// time (order analysis), in which what a tooth, a pole or a slot does is one line at any speed.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace sinew::diagnosis {
+
+/// A log as an order spectrum sees it.
+struct ShaftLog {
+  Eigen::VectorXd turns;  ///< of the shaft
+  Eigen::VectorXd value;  ///< an effort, what varies slowly with the angle taken out of it
+};
+
+/// A line in an order spectrum.
+struct OrderLine {
+  int order = 0;            ///< periods in a turn
+  double prominence = 0.0;  ///< sum of the logs' energies at it, each over its mean of noise
+  double chance = 1.0;      ///< that noise has one as large at any of the orders looked at
+};
+
+/// Lines at whole orders in [lowest, highest] of the logs' spectra together, the strongest first. A
+/// line stands out of the median of what is around it further than noise does in one of 10,000
+/// searches; its top lies within a quarter of an order of a whole one. Logs of less than a turn
+/// tell nothing: a line is there as wide as an order.
+std::vector<OrderLine> order_lines(const std::vector<ShaftLog>& logs, int lowest, int highest);
+
+/// One line's sine in one log, by least squares over the angle.
+struct LineFit {
+  double sine = 0.0, cosine = 0.0;  ///< of 2 pi order turns, in the effort's unit
+  /// Sums of squares, times turns, in equal blocks of time: without the line, and with the one that
+  /// is fitted to the other blocks.
+  Eigen::VectorXd without, with;
+};
+LineFit fit_line(const ShaftLog& log, int order, int blocks);
+
+}  // namespace sinew::diagnosis

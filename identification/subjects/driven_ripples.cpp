@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ripples at driven joints: at which orders of their shafts they are looked for.
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "identification/regression/flexible_families.h"
+#include "identification/regression/order_spectrum.h"
+#include "identification/subjects/driven_subject.h"
+#include "symbolic/effects/effects.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// These are looked for whatever the logs show.
+constexpr int kLowOrders = 3;
+// What a spectrum may show besides: as many as a shaft has teeth, poles or slots.
+constexpr int kHighestOrder = 120;
+constexpr std::size_t kMostFound = 4;
+// Periods a sample: the effort is read as it was logged, above the band of the comparison too.
+constexpr double kSampled = 0.4;
+
+VectorXd number(double value) {
+  return VectorXd::Constant(1, value);
+}
+
+/// Splines in position, speed and load, with and without the direction, and all accelerations.
+MatrixXd smooth_columns(const Recording& log, const std::vector<Candidate>& families, int channel) {
+  std::vector<MatrixXd> parts{log.acceleration(), MatrixXd::Ones(log.q.rows(), 1)};
+  for (const Candidate& c : families)
+    if (c.nonlinear.empty() && c.depends_on.find("time") == std::string::npos)
+      parts.push_back(c.columns(log, channel, VectorXd()));
+  Index wide = 0;
+  for (const MatrixXd& part : parts) wide += part.cols();
+  MatrixXd all(log.q.rows(), wide);
+  wide = 0;
+  for (const MatrixXd& part : parts) {
+    all.middleCols(wide, part.cols()) = part;
+    wide += part.cols();
+  }
+  return all;
+}
+
+/// What a least-squares fit of the columns leaves over.
+VectorXd left_by(const MatrixXd& columns, const VectorXd& target) {
+  constexpr double least = 1e-9;  // of a column's energy: splines that nothing moves through
+  MatrixXd gram = columns.transpose() * columns;
+  gram.diagonal().array() += least * std::max(gram.diagonal().maxCoeff(), 1e-300);
+  return target - columns * gram.llt().solve(VectorXd(columns.transpose() * target));
+}
+
+/// The speed below which a quarter of the way is made.
+double slow_speed(const VectorXd& position, const VectorXd& velocity) {
+  std::vector<std::pair<double, double>> steps;
+  double way = 0.0;
+  for (Index i = 1; i < position.size(); ++i) {
+    steps.emplace_back(std::abs(velocity(i)), std::abs(position(i) - position(i - 1)));
+    way += steps.back().second;
+  }
+  std::sort(steps.begin(), steps.end());
+  double made = 0.0;
+  for (const auto& [speed, step] : steps)
+    if ((made += step) >= 0.25 * way) return speed;
+  return 0.0;
+}
+
+}  // namespace
+
+ShaftLog DrivenSubject::shaft_log(std::size_t joint, double turn, const Recording& log) const {
+  const auto axis = static_cast<int>(joint);
+  return {log.q.col(axis) / turn,
+          left_by(smooth_columns(log, flexible_families(ranges(joint), axis, axis), axis),
+                  log.target[joint] - log.known[joint])};
+}
+
+/// Above the low orders, of logs that make a turn.
+std::vector<OrderLine> DrivenSubject::lines_found(std::size_t joint, double turn) const {
+  std::vector<ShaftLog> logs;
+  double most = 0.0;
+  for (const Recording& log : problem_.training) {
+    const auto q = log.q.col(static_cast<Index>(joint));
+    if (!(q.maxCoeff() - q.minCoeff() >= turn)) continue;
+    const double slow = slow_speed(q, log.qd.col(static_cast<Index>(joint)));
+    if (slow > 0.0) most = std::max(most, kSampled / log.step * turn / slow);
+    logs.push_back(shaft_log(joint, turn, log));
+  }
+  std::vector<OrderLine> lines =
+      order_lines(logs, kLowOrders + 1, static_cast<int>(std::min<double>(kHighestOrder, most)));
+  lines.resize(std::min(lines.size(), kMostFound));
+  return lines;
+}
+
+/// Where the model does not say how far a turn of the motor moves the joint.
+void DrivenSubject::add_ripple_of_any_period(std::size_t joint) {
+  const EffectPlace where{static_cast<int>(joint), place(joint), model_.joints[joint].revolute};
+  Candidate c = effect_candidate(find_effect("ripple"), where, scale(joint));
+  const NonlinearParameter visible = visible_periods(ranges(joint));
+  NonlinearParameter& wavenumber = c.nonlinear.front();
+  wavenumber.low = 2.0 * std::numbers::pi * visible.low;
+  wavenumber.high = 2.0 * std::numbers::pi * visible.high;
+  wavenumber.grid = visible.grid;
+  wavenumber.logarithmic = false;
+  problem_.library.push_back(std::move(c));
+  library_.push_back({"ripple", joint, {}, {}});
+}
+
+/// Once to three times a turn, as often as the shaft's parts say, and where the logs show a line.
+void DrivenSubject::add_orders(std::size_t joint, double turn, const std::string& shaft,
+                               const std::vector<int>& known) {
+  if (turn <= 0.0) return;
+  const double rate = 2.0 * std::numbers::pi / turn;
+  // A link that turns under gravity has its weight once a turn.
+  const bool weight = is_lone_link() && shaft == "output";
+  // Less than a quarter of a period is a bend as any other.
+  const LogScale s = scale(joint);
+  const auto shows = [&](double order) { return order * (s.high - s.low) > 0.25 * turn; };
+  const auto often = [&](int k) {
+    return k == 1 ? std::string("once") : fmt::format("{} times", k);
+  };
+  const auto take = [&](const char* effect, const std::string& name, double order,
+                        CandidateKind kind = CandidateKind::named) {
+    if (!shows(order)) return false;
+    add(effect, joint, name, number(rate * order), kind);
+    problem_.library.back().exact = true;
+    return true;
+  };
+  std::set<int> orders{1, 2, 3};
+  orders.insert(known.begin(), known.end());
+  const std::vector<OrderLine> lines = lines_found(joint, turn);
+  for (const OrderLine& line : lines) orders.insert(line.order);
+  for (const int k : orders)
+    if (take("ripple", fmt::format("ripple {} per {} turn", often(k), shaft), k)) {
+      problem_.library.back().unlikely = weight && k == 1;
+      for (const OrderLine& line : lines)
+        if (line.order == k)
+          lines_.push_back({joint, turn, line, static_cast<int>(problem_.library.size()) - 1});
+    }
+  for (const double k : {0.73, 1.37, 2.41})
+    take("ripple", fmt::format("ripple off every order of the {}", shaft), k, CandidateKind::decoy);
+  if (!(s.load > 0.0) && !carries_links(joint)) return;
+  for (const int k : orders)
+    if (k == 1 || k > kLowOrders)
+      take("load_ripple",
+           fmt::format("ripple proportional to load, {} per {} turn", often(k), shaft), k);
+}
+
+void DrivenSubject::add_ripples(std::size_t joint) {
+  const DrivenJoint& driven = model_.joints[joint];
+  if (driven.motor_turn > 0.0)
+    add_orders(joint, driven.motor_turn, "motor", driven.motor_orders);
+  else
+    add_ripple_of_any_period(joint);
+  add_orders(joint, driven.output_turn, "output", driven.output_orders);
+}
+
+}  // namespace sinew::diagnosis
