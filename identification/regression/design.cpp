@@ -258,6 +258,15 @@ BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinea
   return result;
 }
 
+BandColumns Design::columns_at(const std::vector<bool>& segments, const Candidate& candidate,
+                               const VectorXd& nonlinear) const {
+  Energies energies;
+  BandColumns result(segments_.size());
+  for (std::size_t i = 0; i < segments_.size(); ++i)
+    if (segments[i]) result[i] = segment_columns(i, candidate, nonlinear, 0, energies);
+  return result;
+}
+
 BandColumns Design::training_columns(const Candidate& candidate, const VectorXd& nonlinear,
                                      double& in_band) const {
   Energies energies;
