@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "identification/contacts/channelwise_fit.h"
 #include "identification/regression/spectrum.h"
 
 namespace sinew::diagnosis {
@@ -93,7 +94,9 @@ std::vector<LeftOver> FitInTime::operator()(const std::vector<SetAside>& aside,
                           ? VectorXd()
                           : VectorXd(r.counts.col(channel).cwiseProduct(in) / sizes(channel)));
   }
-  const VectorXd coefficients = solve(stack(model_, weights)).coefficients;
+  std::vector<int> channels;
+  for (const auto& [recording, channel] : place_) channels.push_back(channel);
+  const VectorXd coefficients = channelwise_coefficients(stack(model_, weights), channels);
   std::vector<const BandColumns*> columns;
   for (const Term& term : model_.terms) columns.push_back(&term.columns.get());
   VectorXd of_causes = coefficients;
