@@ -180,7 +180,9 @@ class Run {
     std::optional<NamedCause> force;
     if (!request_.settings.first_look) {
       force = find_undisturbed(
-          [&](const DrivenSubject& rest) { return explain(rest.problem(), request_.settings); },
+          [&](const DrivenSubject& rest, const IsWanted& is_wanted) {
+            return explain(rest.problem(), request_.settings, is_wanted);
+          },
           request_.settings, subject_, explanation);
       look_at_standstills(explanation);
     }

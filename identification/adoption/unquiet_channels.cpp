@@ -68,7 +68,7 @@ std::vector<UnquietChannel> unquiet_channels(const Design& design, const Selecti
   if (model.target.empty()) return {};  // the search came to no end
   const VectorXd coefficients = solve(stack(model, selection.noise.weights)).coefficients;
   std::vector<const BandColumns*> columns;
-  for (const Term& term : model.terms) columns.push_back(&term.columns);
+  for (const Term& term : model.terms) columns.push_back(&term.columns.get());
   std::map<int, Left> channels;
   for (std::size_t i = 0; i < design.segments().size(); ++i) {
     const Segment& s = design.segments()[i];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "identification/contacts/channelwise_fit.h"
 #include "identification/regression/spectrum.h"
 
 namespace sinew::diagnosis {
@@ -16,10 +17,10 @@ using Eigen::VectorXd;
 /// A term as the design sees it, its rows samples.
 Term in_time(const Design& design, const Term& term) {
   Term moved = term;
-  moved.columns = design.columns(*term.candidate, term.nonlinear);
-  for (std::size_t i = 0; i < moved.columns.size(); ++i)
-    if (moved.columns[i].size() > 0)
-      moved.columns[i] = from_band(moved.columns[i], design.segments()[i].samples);
+  BandColumns columns = design.columns(*term.candidate, term.nonlinear);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (columns[i].size() > 0) columns[i] = from_band(columns[i], design.segments()[i].samples);
+  moved.columns = std::move(columns);
   return moved;
 }
 
@@ -93,9 +94,11 @@ std::vector<LeftOver> FitInTime::operator()(const std::vector<SetAside>& aside,
                           ? VectorXd()
                           : VectorXd(r.counts.col(channel).cwiseProduct(in) / sizes(channel)));
   }
-  const VectorXd coefficients = solve(stack(model_, weights)).coefficients;
+  std::vector<int> channels;
+  for (const auto& [recording, channel] : place_) channels.push_back(channel);
+  const VectorXd coefficients = channelwise_coefficients(stack(model_, weights), channels);
   std::vector<const BandColumns*> columns;
-  for (const Term& term : model_.terms) columns.push_back(&term.columns);
+  for (const Term& term : model_.terms) columns.push_back(&term.columns.get());
   VectorXd of_causes = coefficients;
   const std::vector<Index> first = first_columns(model_);
   for (std::size_t t = 0; t < model_.terms.size(); ++t)

@@ -67,15 +67,21 @@ std::optional<NamedCause> find_undisturbed(const Search& search, const Settings&
   for (int left = kMostSearches; seen.in_training() && left > 0; --left) {
     DrivenSubject rest = subject;
     rest.leave_out(stretches_in_time(seen));
-    Explanation other = search(rest);
-    const FitInTime outside(design, other.selection.model);
-    // With causes that no push has spoilt it is plainer what is disturbed, in held-out logs too.
-    if (Disturbances plainer = find_disturbances(outside);
-        left > 1 && plainer.in_training() && differ(plainer, seen)) {
-      seen = std::move(plainer);
+    std::optional<FitInTime> outside;
+    std::optional<Disturbances> plainer;
+    Explanation other = search(rest, [&](const Explanation& e) {
+      outside.emplace(design, e.selection.model);
+      if (left == 1) return true;
+      // With causes that no push has spoilt it is plainer what is disturbed, in held-out logs too.
+      Disturbances again = find_disturbances(*outside);
+      if (again.in_training() && differ(again, seen)) plainer = std::move(again);
+      return !plainer;
+    });
+    if (plainer) {
+      seen = *std::move(plainer);
       continue;
     }
-    leave_over(outside, seen);
+    leave_over(*outside, seen);
     std::optional<NamedCause> force =
         find_unlogged_force({whole, numbers_of(explanation.verdict)}, numbers_of(other.verdict),
                             seen, places_of(subject, seen), recording_names(problem), settings);

@@ -10,7 +10,7 @@
 
 namespace sinew::diagnosis {
 
-using Search = std::function<Explanation(const DrivenSubject&)>;
+using Search = std::function<Explanation(const DrivenSubject&, const IsWanted&)>;
 
 /// Where logs are disturbed now and then, `search` is asked again without those stretches. If a
 /// force explains them, the subject leaves them out from then on, the explanation is the second

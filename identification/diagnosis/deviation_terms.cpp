@@ -61,8 +61,10 @@ Term free_part(const Design& design, const Term& term, const std::vector<bool>& 
     return x.cols() == 0 ? x : MatrixXd(x(Eigen::all, parameters));
   };
   Term part = term;
-  for (MatrixXd& x : part.columns)
+  BandColumns own = term.columns.get();
+  for (MatrixXd& x : own)
     if (x.cols() > 0) x = MatrixXd(x(Eigen::all, columns));
+  part.columns = std::move(own);
   part.candidate = rest.get();
   made.push_back(std::move(rest));
   return part;
@@ -164,7 +166,8 @@ FixedPart nominal_part(const Design& design, const Model& model, const Covered& 
                      [](const LinearParameter& p) { return p.nominal.value_or(0.0) != 0.0; }))
       continue;
     add(fixed.value, term, term.columns);
-    add(fixed.rate, term, design.columns(*term.candidate, term.nonlinear, 1));
+    add(fixed.rate, term,
+        term.columns.rates([&] { return design.columns(*term.candidate, term.nonlinear, 1); }));
   }
   return fixed;
 }

@@ -249,7 +249,8 @@ Model model_before(const Design& design, const Model& found, const DeviationTerm
 
 }  // namespace
 
-Explanation explain_by_rules(const Problem& problem, const Settings& settings) {
+Explanation explain_by_rules(const Problem& problem, const Settings& settings,
+                             const IsWanted& is_wanted) {
   Design design(problem, settings);
   design.set_units(left_over(design, baseline_model(design)));
   const Library library(design);
@@ -279,6 +280,7 @@ Explanation explain_by_rules(const Problem& problem, const Settings& settings) {
     if (selection.model.terms[t].baseline)
       for (const ParameterEstimate& estimate : result.estimates[t])
         verdict.baseline.push_back(estimate);
+  if (is_wanted && !is_wanted(result)) return result;
   list_ruled_out(design, selection, verdict);
   if (!problem.deviations.empty())
     name_deviations(design, library, settings, std::move(deviations), result);

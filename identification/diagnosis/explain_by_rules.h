@@ -8,6 +8,7 @@
 namespace sinew::diagnosis {
 
 /// As explain() in likelihood/explain.h.
-Explanation explain_by_rules(const Problem& problem, const Settings& settings);
+Explanation explain_by_rules(const Problem& problem, const Settings& settings,
+                             const IsWanted& is_wanted = {});
 
 }  // namespace sinew::diagnosis

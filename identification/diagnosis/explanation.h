@@ -2,6 +2,8 @@
 // A verdict and the fitted model it stands for.
 #pragma once
 
+#include <functional>
+
 #include "identification/diagnosis/select.h"
 #include "identification/diagnosis/verdict.h"
 
@@ -16,5 +18,9 @@ struct Explanation {
   /// baseline at its nominal values but for the named deviations, whose terms come last.
   Selection adopted;
 };
+
+/// Asked once, when the selection and the causes of the library are final: false where no more than
+/// the selection is needed, and naming the model's own values and errors can be spared.
+using IsWanted = std::function<bool(const Explanation&)>;
 
 }  // namespace sinew::diagnosis

@@ -11,7 +11,7 @@ using Eigen::VectorXd;
 ChannelSquares channel_squares(const Design& design, const Model& model, const Weights& weights) {
   const LinearFit fit = solve(stack(model, weights));
   std::vector<const BandColumns*> columns;
-  for (const Term& term : model.terms) columns.push_back(&term.columns);
+  for (const Term& term : model.terms) columns.push_back(&term.columns.get());
   const VectorXd none = VectorXd::Zero(design.problem().channels);
   ChannelSquares sums{none, none, none};
   for (std::size_t s = 0; s < design.segments().size(); ++s) {

@@ -47,20 +47,74 @@ std::vector<Term> shape_changes(const Design& design, const Model& model, const 
   return changes;
 }
 
+/// A segment's whitened rows: columns of the model's free part, and of the deviations. A model of
+/// many joints has too many rows and columns for all of them at once.
+struct Rows {
+  MatrixXd base, deviations;
+  VectorXd y;
+};
+
+/// `own`: coefficients of the free part, which come first.
+Rows rows_of(const Stack& stack, std::size_t segment, Index own) {
+  const MatrixXd& a = stack.a[segment];
+  Rows rows{MatrixXd::Zero(a.rows(), own), MatrixXd::Zero(a.rows(), stack.coefficients - own),
+            stack.y.segment(stack.first_row[segment], a.rows())};
+  for (std::size_t c = 0; c < stack.at[segment].size(); ++c) {
+    const Index at = stack.at[segment][c];
+    (at < own ? rows.base.col(at) : rows.deviations.col(at - own)) = a.col(static_cast<Index>(c));
+  }
+  return rows;
+}
+
 /// A prior is one more row: what was known is 0, weighed by the inverse of its spread.
-MatrixXd with_prior_rows(const Stack& stack) {
+Rows prior_rows(const Stack& stack, Index own) {
   std::vector<Index> known;
   for (Index c = 0; c < stack.prior.size(); ++c)
     if (stack.prior(c) > 0.0) known.push_back(c);
-  MatrixXd rows = stack.dense();
-  const Index of_logs = rows.rows();
-  rows.conservativeResize(of_logs + static_cast<Index>(known.size()), Eigen::NoChange);
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    const Index row = of_logs + static_cast<Index>(i);
-    rows.row(row).setZero();
-    rows(row, known[i]) = std::sqrt(stack.prior(known[i]));
+  const auto count = static_cast<Index>(known.size());
+  MatrixXd rows = MatrixXd::Zero(count, stack.coefficients);
+  for (Index i = 0; i < count; ++i) {
+    const Index at = known[static_cast<std::size_t>(i)];
+    rows(i, at) = std::sqrt(stack.prior(at));
   }
-  return rows;
+  return {rows.leftCols(own), rows.rightCols(stack.coefficients - own), VectorXd::Zero(count)};
+}
+
+/// What the free part takes of the deviations' columns and of the target.
+struct Taken {
+  MatrixXd of_columns;
+  VectorXd of_target;
+};
+
+Taken taken_by_base(const Stack& stack, Index own) {
+  MatrixXd base = MatrixXd::Zero(own, own), cross = MatrixXd::Zero(own, stack.coefficients - own);
+  VectorXd target = VectorXd::Zero(own);
+  const auto add = [&](const Rows& rows) {
+    base.selfadjointView<Eigen::Lower>().rankUpdate(rows.base.transpose());
+    cross += rows.base.transpose() * rows.deviations;
+    target += rows.base.transpose() * rows.y;
+  };
+  for (std::size_t s = 0; s < stack.a.size(); ++s)
+    if (stack.a[s].rows() > 0) add(rows_of(stack, s, own));
+  add(prior_rows(stack, own));
+  const MatrixXd inverse = scaled_pseudo_inverse(MatrixXd(base.selfadjointView<Eigen::Lower>()));
+  return {inverse * cross, inverse * target};
+}
+
+/// Products of the rows with the free part projected out.
+void add_products(Rows rows, const Taken& taken, const MatrixXf* draws, DeviationMoments& m) {
+  MatrixXd& x = rows.deviations;
+  if (rows.base.cols() > 0) {
+    x -= rows.base * taken.of_columns;
+    m.base += (rows.y - rows.base * taken.of_target).squaredNorm();
+  } else {
+    m.base += rows.y.squaredNorm();
+  }
+  m.gram.selfadjointView<Eigen::Lower>().rankUpdate(x.transpose());
+  m.target += x.transpose() * rows.y;
+  if (!draws || draws->cols() == 0) return;
+  if (m.surrogates.size() == 0) m.surrogates = MatrixXd::Zero(x.cols(), draws->cols());
+  m.surrogates += (x.cast<float>().transpose() * *draws).cast<double>();
 }
 
 DeviationMoments moments(const Design& design, const DeviationTerms& parts,
@@ -78,31 +132,20 @@ DeviationMoments moments(const Design& design, const DeviationTerms& parts,
     m.first.push_back(m.first.back() + wide);
   }
   const Stack s = stack(all, noise.weights);
-  const MatrixXd dense = with_prior_rows(s);
-  VectorXd y = VectorXd::Zero(dense.rows());
-  y.head(s.y.size()) = s.y;
-  const MatrixXd x0 = dense.leftCols(own);
-  MatrixXd x = dense.rightCols(dense.cols() - own);
-  if (own > 0) {
-    const MatrixXd inverse = scaled_pseudo_inverse(x0.transpose() * x0);
-    x -= x0 * (inverse * (x0.transpose() * x));
-    m.base = (y - x0 * (inverse * (x0.transpose() * y))).squaredNorm();
-  } else {
-    m.base = y.squaredNorm();
-  }
-  m.gram = x.transpose() * x;
-  m.target = x.transpose() * y;
-  for (std::size_t i = 0; i < noise.surrogates.size(); ++i) {
-    const MatrixXf& draws = noise.surrogates[i];
-    if (draws.cols() == 0) continue;
-    if (m.surrogates.size() == 0) m.surrogates = MatrixXd::Zero(x.cols(), draws.cols());
-    const MatrixXf part = x.middleRows(s.first_row[i], draws.rows()).cast<float>();
-    m.surrogates += (part.transpose() * draws).cast<double>();
-  }
+  const Index wide = s.coefficients - own;
+  m.gram = MatrixXd::Zero(wide, wide);
+  m.target = VectorXd::Zero(wide);
+  const Taken taken = taken_by_base(s, own);
+  for (std::size_t i = 0; i < s.a.size(); ++i)
+    if (s.a[i].rows() > 0)
+      add_products(rows_of(s, i, own), taken,
+                   i < noise.surrogates.size() ? &noise.surrogates[i] : nullptr, m);
+  add_products(prior_rows(s, own), taken, nullptr, m);
+  m.gram.triangularView<Eigen::StrictlyUpper>() = m.gram.transpose();
   for (const ParameterDeviation& deviation : design.problem().deviations)
     m.body_within.push_back(deviation.body_within);
-  m.low = VectorXd::Zero(x.cols());
-  m.high = VectorXd::Zero(x.cols());
+  m.low = VectorXd::Zero(wide);
+  m.high = VectorXd::Zero(wide);
   for (std::size_t l = 0; l < parts.deviations.size(); ++l)
     for (Index c = m.first[l]; c < m.first[l + 1]; ++c) {
       const DeviationParameter& p =

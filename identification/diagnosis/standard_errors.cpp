@@ -38,6 +38,35 @@ VectorXd row_noise(const NoiseView& noise, const Stack& stacked) {
   return variance;
 }
 
+/// Normal matrix of the rows and that of their noise. `shapes`: columns beside the stack's, all
+/// rows.
+struct Normal {
+  MatrixXd gram, spread;
+};
+
+Normal normal_of(const Stack& stacked, const std::vector<VectorXd>& shapes,
+                 const VectorXd& variance) {
+  const auto more = static_cast<Index>(shapes.size()), all = stacked.coefficients + more;
+  Normal sum{MatrixXd::Zero(all, all), MatrixXd::Zero(all, all)};
+  for (std::size_t s = 0; s < stacked.a.size(); ++s) {
+    const Index first = stacked.first_row[s], rows = stacked.a[s].rows();
+    if (rows == 0) continue;
+    MatrixXd a(rows, stacked.a[s].cols() + more);
+    a.leftCols(stacked.a[s].cols()) = stacked.a[s];
+    std::vector<Index> at = stacked.at[s];
+    for (Index k = 0; k < more; ++k) {
+      a.col(stacked.a[s].cols() + k) = shapes[static_cast<std::size_t>(k)].segment(first, rows);
+      at.push_back(stacked.coefficients + k);
+    }
+    sum.gram(at, at) += a.transpose() * a;
+    a = variance.segment(first, rows).cwiseSqrt().asDiagonal() * a;
+    sum.spread(at, at) += a.transpose() * a;
+  }
+  sum.gram.diagonal().head(stacked.coefficients) += stacked.prior;
+  sum.spread.diagonal().head(stacked.coefficients) += stacked.prior;
+  return sum;
+}
+
 }  // namespace
 
 std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, const Model& model,
@@ -45,7 +74,7 @@ std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, cons
   const Stack stacked = stack(model, noise.weights);
   const LinearFit fit = solve(stacked);
   const std::vector<Index> first = first_columns(model);
-  MatrixXd a = stacked.dense();
+  std::vector<VectorXd> sensitivities;
   std::vector<std::vector<ParameterEstimate>> result(model.terms.size());
   std::vector<std::vector<Index>> columns(model.terms.size());
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
@@ -67,19 +96,15 @@ std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, cons
     for (Index p = 0; p < shapes; ++p) {
       const NonlinearParameter& range = term.candidate->nonlinear[static_cast<std::size_t>(p)];
       if (!(range.high > range.low)) continue;
-      a.conservativeResize(Eigen::NoChange, a.cols() + 1);
-      a.rightCols(1) = sensitivity(design, term, p, fit.coefficients.segment(first[t], wide),
-                                   noise.weights, stacked);
+      sensitivities.push_back(sensitivity(design, term, p, fit.coefficients.segment(first[t], wide),
+                                          noise.weights, stacked));
       result[t].push_back({range.name, range.unit, term.nonlinear(p), 0.0, {}});
-      columns[t].push_back(a.cols() - 1);
+      columns[t].push_back(stacked.coefficients + static_cast<Index>(sensitivities.size()) - 1);
     }
   }
-  MatrixXd gram = a.transpose() * a;
-  MatrixXd spread = a.transpose() * row_noise(noise, stacked).asDiagonal() * a;
-  gram.diagonal().head(stacked.coefficients) += stacked.prior;
-  spread.diagonal().head(stacked.coefficients) += stacked.prior;
-  const MatrixXd inverse = scaled_pseudo_inverse(gram);
-  const MatrixXd covariance = inverse * spread * inverse;
+  const Normal normal = normal_of(stacked, sensitivities, row_noise(noise, stacked));
+  const MatrixXd inverse = scaled_pseudo_inverse(normal.gram);
+  const MatrixXd covariance = inverse * normal.spread * inverse;
   for (std::size_t t = 0; t < result.size(); ++t)
     for (std::size_t i = 0; i < result[t].size(); ++i)
       result[t][i].standard_error =

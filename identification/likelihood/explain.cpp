@@ -10,9 +10,12 @@ bool is_explained_by_likelihood(const Problem& problem, const Settings& settings
   return settings.by_likelihood && problem.noise_groups.empty();
 }
 
-Explanation explain(const Problem& problem, const Settings& settings) {
-  return (is_explained_by_likelihood(problem, settings) ? explain_by_likelihood : explain_by_rules)(
-      problem, settings);
+Explanation explain(const Problem& problem, const Settings& settings, const IsWanted& is_wanted) {
+  if (!is_explained_by_likelihood(problem, settings))
+    return explain_by_rules(problem, settings, is_wanted);
+  Explanation explanation = explain_by_likelihood(problem, settings);
+  if (is_wanted) is_wanted(explanation);
+  return explanation;
 }
 
 }  // namespace sinew::diagnosis

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +33,9 @@ struct Recording {
   Eigen::VectorXd payload;         ///< mass [kg] of a load that is known to be carried; empty: none
   Eigen::MatrixXd payload_effort;  ///< what it asks of the joints: samples x joints; empty: none
   std::map<std::string, Eigen::MatrixXd> signals;  ///< anything else a candidate wants
-  std::vector<Eigen::VectorXd> target;             ///< per channel: what is measured, force domain
+  /// The same, of so many columns that copies of the recording share them.
+  std::map<std::string, std::shared_ptr<const Eigen::MatrixXd>> wide_signals;
+  std::vector<Eigen::VectorXd> target;  ///< per channel: what is measured, force domain
   /// Per channel: what the model under test says of the target; empty: nothing. It is subtracted,
   /// at the model's time, and moves with a delay as every other term does.
   std::vector<Eigen::VectorXd> known;

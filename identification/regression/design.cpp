@@ -59,6 +59,8 @@ Recording thin(const Recording& log, const DecimatingFilter& filter) {
   r.temperature = take(log.temperature);
   for (const auto& [name, signal] : log.signals)
     if (name != effort_of_logged_motion) r.signals[name] = take(signal);
+  for (const auto& [name, signal] : log.wide_signals)
+    r.wide_signals[name] = std::make_shared<const MatrixXd>(take(*signal));
   for (const VectorXd& x : log.target) r.target.push_back(take(x));
   for (const VectorXd& x : log.known) r.known.push_back(take(x));
   r.standstills = log.standstills;
@@ -253,6 +255,15 @@ BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinea
   BandColumns result(segments_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i)
     result[i] = segment_columns(i, candidate, nonlinear, derivative, energies);
+  return result;
+}
+
+BandColumns Design::columns_at(const std::vector<bool>& segments, const Candidate& candidate,
+                               const VectorXd& nonlinear) const {
+  Energies energies;
+  BandColumns result(segments_.size());
+  for (std::size_t i = 0; i < segments_.size(); ++i)
+    if (segments[i]) result[i] = segment_columns(i, candidate, nonlinear, 0, energies);
   return result;
 }
 

@@ -3,8 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <initializer_list>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "identification/logs/filter.h"
@@ -25,6 +29,57 @@ struct Segment {
 
 /// Columns of a group in the band, one matrix for each segment; 0 x 0 where it does not act.
 using BandColumns = std::vector<Eigen::MatrixXd>;
+
+/// The same in single precision, of the training logs and their coefficients alone.
+using LibraryColumns = std::vector<Eigen::MatrixXf>;
+
+/// Columns that no longer change, shared by all models that hold them: a search copies models
+/// often, and the columns of an arm's model are tens of megabytes.
+class SharedColumns {
+ public:
+  SharedColumns() = default;
+  SharedColumns(BandColumns columns) : held_(std::make_shared<Held>()) {
+    held_->columns = std::move(columns);
+  }
+  SharedColumns(std::initializer_list<Eigen::MatrixXd> columns)
+      : SharedColumns(BandColumns(columns)) {}
+
+  const BandColumns& get() const {
+    static const BandColumns none;
+    return held_ ? held_->columns : none;
+  }
+  operator const BandColumns&() const { return get(); }
+  const Eigen::MatrixXd& operator[](std::size_t segment) const { return get()[segment]; }
+  std::size_t size() const { return get().size(); }
+  bool empty() const { return get().empty(); }
+  BandColumns::const_iterator begin() const { return get().begin(); }
+  BandColumns::const_iterator end() const { return get().end(); }
+
+  /// Their time derivatives, which `make` makes the first time. Threads that ask at once make them
+  /// at once, rather than that one waits for another's task.
+  template <typename Make>
+  SharedColumns rates(Make make) const {
+    if (!held_) return SharedColumns(make());
+    {
+      const std::lock_guard<std::mutex> lock(held_->guard);
+      if (held_->rates) return SharedColumns(held_->rates);
+    }
+    const SharedColumns made(make());
+    const std::lock_guard<std::mutex> lock(held_->guard);
+    if (!held_->rates) held_->rates = made.held_;
+    return SharedColumns(held_->rates);
+  }
+
+ private:
+  struct Held {
+    BandColumns columns;
+    std::mutex guard;
+    std::shared_ptr<Held> rates;
+  };
+  explicit SharedColumns(std::shared_ptr<Held> held) : held_(std::move(held)) {}
+
+  std::shared_ptr<Held> held_;
+};
 
 /// Filters what a problem holds. Keeps a reference to the problem. Logs sampled at more than twelve
 /// times the band are thinned first, every signal by the same zero-phase filter: no regressor needs
@@ -58,6 +113,9 @@ class Design {
   /// Filtered columns (derivative = 1: their time derivative) of all segments.
   BandColumns columns(const Candidate& candidate, const Eigen::VectorXd& nonlinear,
                       int derivative = 0) const;
+  /// The same of some segments, those of the others empty.
+  BandColumns columns_at(const std::vector<bool>& segments, const Candidate& candidate,
+                         const Eigen::VectorXd& nonlinear) const;
   /// The same of the training logs alone, those of held-out segments empty. in_band: the share of
   /// the raw columns' energy (means taken out) that is left after the filter.
   BandColumns training_columns(const Candidate& candidate, const Eigen::VectorXd& nonlinear,

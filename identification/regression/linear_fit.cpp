@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace sinew::diagnosis {
 
@@ -111,18 +112,63 @@ MatrixXd Stack::gram() const {
   return sum;
 }
 
+namespace {
+
+/// No eigenvalue is smaller than 1 / the inverse's norm nor larger than the matrix' own, so that
+/// none counts as zero; twice for what rounding makes of the inverse.
+bool is_regular(const MatrixXd& gram, const MatrixXd& inverse, double tolerance) {
+  return 2.0 * tolerance * gram.norm() * inverse.norm() < 1.0;
+}
+
+/// Pivoted Cholesky factor of a matrix of unit diagonal, as far as there is more than rounding.
+MatrixXd pivoted_factor(const MatrixXd& unit) {
+  constexpr double kRounding = 1e-13;
+  MatrixXd half(unit.rows(), unit.cols());
+  VectorXd left = unit.diagonal();
+  Index rank = 0, pivot = 0;
+  for (; rank < unit.cols() && left.maxCoeff(&pivot) > kRounding; ++rank) {
+    const double root = std::sqrt(left(pivot));
+    half.col(rank) = unit.col(pivot);
+    if (rank > 0) half.col(rank) -= half.leftCols(rank) * half.row(pivot).head(rank).transpose();
+    half.col(rank) /= root;
+    left -= half.col(rank).cwiseAbs2();
+    left(pivot) = 0.0;
+  }
+  return half.leftCols(rank);
+}
+
+/// Pseudo-inverse of a matrix of unit diagonal without its eigenvectors. None: some eigenvalue is
+/// so small that they have to tell whether it counts as zero.
+std::optional<MatrixXd> pseudo_inverse_by_factor(const MatrixXd& unit, double tolerance) {
+  const Eigen::LLT<MatrixXd> factor(unit);
+  if (factor.info() == Eigen::Success) {
+    const MatrixXd half = factor.matrixL().solve(MatrixXd::Identity(unit.rows(), unit.cols()));
+    MatrixXd inverse = MatrixXd::Zero(unit.rows(), unit.cols());
+    inverse.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
+    inverse.triangularView<Eigen::StrictlyUpper>() = inverse.transpose();
+    if (is_regular(unit, inverse, tolerance)) return inverse;
+  }
+  // Columns of a body that its joint does not move, or moves as others, depend on those exactly.
+  const MatrixXd half = pivoted_factor(unit);
+  const MatrixXd own = half.transpose() * half;
+  const Eigen::LLT<MatrixXd> small(own);
+  if (half.cols() == 0 || small.info() != Eigen::Success) return std::nullopt;
+  const MatrixXd inverse = small.solve(MatrixXd::Identity(own.rows(), own.cols()));
+  if (!is_regular(own, inverse, tolerance)) return std::nullopt;
+  const MatrixXd root = half * inverse;
+  return MatrixXd(root * root.transpose());
+}
+
+}  // namespace
+
 MatrixXd scaled_pseudo_inverse(const MatrixXd& gram, double tolerance) {
   if (gram.size() == 0) return gram;
   const VectorXd scale =
       gram.diagonal().unaryExpr([](double d) { return d > 0.0 ? 1.0 / std::sqrt(d) : 0.0; });
   const MatrixXd unit = scale.asDiagonal() * gram * scale.asDiagonal();
-  // The decomposition takes ten times as long and is for what is nearly dependent: no eigenvalue is
-  // below rcond times the largest one, and rcond is estimated within a factor of ten or so.
-  const Eigen::LLT<MatrixXd> factor(unit);
-  if (factor.info() == Eigen::Success && factor.rcond() > 30.0 * tolerance) {
-    const MatrixXd half = factor.matrixL().solve(MatrixXd(scale.asDiagonal()));
-    return half.transpose() * half;
-  }
+  // The decomposition takes ten times as long and is for what is nearly dependent.
+  if (const auto inverse = pseudo_inverse_by_factor(unit, tolerance))
+    return scale.asDiagonal() * *inverse * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
   const double limit = tolerance * std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
   const VectorXd inverse =
@@ -173,9 +219,9 @@ VectorXd predict(const std::vector<const BandColumns*>& columns, const VectorXd&
   return sum;
 }
 
-std::vector<BandColumns> term_rates(const Design& design, const Model& model,
-                                    const Candidate* delay) {
-  std::vector<BandColumns> rates;
+std::vector<SharedColumns> term_rates(const Design& design, const Model& model,
+                                      const Candidate* delay) {
+  std::vector<SharedColumns> rates;
   for (const Term& term : model.terms) {
     bool wanted = false;
     for (std::size_t s = 0; s < term.columns.size(); ++s)
@@ -183,10 +229,11 @@ std::vector<BandColumns> term_rates(const Design& design, const Model& model,
           term.columns[s].cols() > 0 && (!delay || delays(*delay, design.segments()[s].channel));
     // A delay's own rate is second order.
     if (wanted && term.candidate->kind != CandidateKind::delay) {
-      rates.push_back(design.columns(*term.candidate, term.nonlinear, 1));
+      rates.push_back(
+          term.columns.rates([&] { return design.columns(*term.candidate, term.nonlinear, 1); }));
       continue;
     }
-    BandColumns none = term.columns;  // keeps the coefficient's place
+    BandColumns none = term.columns.get();  // keeps the coefficient's place
     for (MatrixXd& part : none) part.setZero();
     rates.push_back(std::move(none));
   }
@@ -194,10 +241,10 @@ std::vector<BandColumns> term_rates(const Design& design, const Model& model,
 }
 
 BandColumns prediction_rate(const Design& design, const Model& model,
-                            const std::vector<BandColumns>& rates, const VectorXd& coefficients,
+                            const std::vector<SharedColumns>& rates, const VectorXd& coefficients,
                             const Candidate& delay) {
   std::vector<const BandColumns*> all;
-  for (const BandColumns& rate : rates) all.push_back(&rate);
+  for (const SharedColumns& rate : rates) all.push_back(&rate.get());
   BandColumns result(design.segments().size());
   for (std::size_t s = 0; s < result.size(); ++s) {
     const int channel = design.segments()[s].channel;

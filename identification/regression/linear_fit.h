@@ -14,9 +14,9 @@ struct Term {
   const Candidate* candidate = nullptr;
   bool baseline = false;
   Eigen::VectorXd nonlinear;
-  BandColumns columns;   ///< unwhitened
-  double freedom = 0.0;  ///< deviations only: effective number of parameters
-  int deviation = -1;    ///< index into the problem's deviations
+  SharedColumns columns;  ///< unwhitened
+  double freedom = 0.0;   ///< deviations only: effective number of parameters
+  int deviation = -1;     ///< index into the problem's deviations
   /// What was known of its parameters before the logs counts: it competes with values of the model.
   bool with_prior = false;
 };
@@ -88,13 +88,13 @@ Eigen::VectorXd predict(const std::vector<const BandColumns*>& columns,
                         const Eigen::VectorXd& coefficients, std::size_t segment);
 
 /// Time derivative of every term's columns where `delay` acts (null: everywhere).
-std::vector<BandColumns> term_rates(const Design& design, const Model& model,
-                                    const Candidate* delay = nullptr);
+std::vector<SharedColumns> term_rates(const Design& design, const Model& model,
+                                      const Candidate* delay = nullptr);
 
 /// Time derivative of the model's prediction: the column a delay is linearised with. `rates`: of
 /// term_rates().
 BandColumns prediction_rate(const Design& design, const Model& model,
-                            const std::vector<BandColumns>& rates,
+                            const std::vector<SharedColumns>& rates,
                             const Eigen::VectorXd& coefficients, const Candidate& delay);
 
 }  // namespace sinew::diagnosis

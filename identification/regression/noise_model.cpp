@@ -21,14 +21,13 @@ using Eigen::VectorXd;
 // than a few times its part in the error one sees.
 constexpr double kDamping = 1.0;
 
-/// Orthonormal basis of the columns' span, strongest directions first, at most `most` of them.
-MatrixXd strongest_basis(MatrixXd columns, Index most) {
-  for (Index c = 0; c < columns.cols(); ++c) {
-    const double norm = columns.col(c).norm();
-    if (norm > 0.0) columns.col(c) /= norm;
-  }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(columns.transpose() * columns);
-  const VectorXd& values = eigen.eigenvalues();  // ascending
+/// Orthonormal basis of the columns' span, strongest directions first, at most `most` of them. Each
+/// column has length 1.
+MatrixXd strongest_basis(const MatrixXd& columns, Index most) {
+  MatrixXd gram = MatrixXd::Zero(columns.cols(), columns.cols());
+  gram.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);  // reads the lower half
+  const VectorXd& values = eigen.eigenvalues();               // ascending
   Index keep = 0;
   while (keep < std::min(most, values.size()) &&
          values(values.size() - 1 - keep) > 1e-7 * values(values.size() - 1))
@@ -37,23 +36,24 @@ MatrixXd strongest_basis(MatrixXd columns, Index most) {
                     values.tail(keep).cwiseSqrt().cwiseInverse().asDiagonal());
 }
 
-MatrixXd all_columns(const Model& model, const std::vector<const BandColumns*>& saturating,
+/// All columns that act in a segment and are not zero, each of length 1.
+MatrixXd all_columns(const Model& model, const std::vector<const LibraryColumns*>& saturating,
                      std::size_t segment) {
-  std::vector<const MatrixXd*> parts;
-  for (const Term& term : model.terms) parts.push_back(&term.columns[segment]);
-  for (const BandColumns* group : saturating) parts.push_back(&(*group)[segment]);
-  Index wide = 0, rows = 0;
-  for (const MatrixXd* part : parts) {
-    wide += part->cols();
-    rows = std::max(rows, part->rows());
-  }
-  MatrixXd all(rows, wide);
-  Index at = 0;
-  for (const MatrixXd* part : parts) {
-    if (part->cols() == 0) continue;
-    all.middleCols(at, part->cols()) = *part;
-    at += part->cols();
-  }
+  Index wide = 0;
+  for (const Term& term : model.terms) wide += term.columns[segment].cols();
+  for (const LibraryColumns* group : saturating) wide += (*group)[segment].cols();
+  MatrixXd all(model.target[segment].size(), wide);
+  Index kept = 0;
+  const auto add = [&](const auto& column) {
+    all.col(kept) = column;
+    const double norm = all.col(kept).norm();
+    if (norm > 0.0) all.col(kept++) /= norm;
+  };
+  for (const Term& term : model.terms)
+    for (const auto& column : term.columns[segment].colwise()) add(column);
+  for (const LibraryColumns* group : saturating)
+    for (const auto& column : (*group)[segment].colwise()) add(column.cast<double>());
+  all.conservativeResize(Eigen::NoChange, kept);
   return all;
 }
 
@@ -126,7 +126,7 @@ VectorXd noise_spectrum(const VectorXd& residual, const VectorXd& leverage, doub
 }
 
 std::vector<NoiseModel> estimate_noise(const Design& design, const Model& model,
-                                       const std::vector<const BandColumns*>& saturating) {
+                                       const std::vector<const LibraryColumns*>& saturating) {
   const std::vector<Segment>& segments = design.segments();
   std::vector<NoiseModel> noise(segments.size());
   tbb::parallel_for(0, static_cast<int>(segments.size()), [&](int i) {

@@ -27,7 +27,7 @@ Eigen::VectorXd noise_spectrum(const Eigen::VectorXd& residual, const Eigen::Vec
 /// *and* all `saturating` columns, so that an effect that is not accepted yet is not taken for
 /// noise; held-out segments stay empty.
 std::vector<NoiseModel> estimate_noise(const Design& design, const Model& model,
-                                       const std::vector<const BandColumns*>& saturating);
+                                       const std::vector<const LibraryColumns*>& saturating);
 
 Weights whitening(const std::vector<NoiseModel>& noise);
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <memory>
 
+#include "identification/regression/projected_residual.h"
+
 namespace sinew::diagnosis {
 namespace {
 
@@ -40,55 +42,39 @@ std::vector<Coordinate> coordinates(const Model& model, RefineScope scope) {
   return list;
 }
 
-/// Whitened residual as a function of the coordinates; keeps the last columns of every term.
-class ProjectedResidual {
+/// A model's residual as a function of the coordinates.
+class ResidualAt {
  public:
-  ProjectedResidual(const Design& design, const Weights& weights, const Model& model,
-                    std::vector<Coordinate> coordinates)
-      : design_(design),
-        weights_(weights),
-        model_(model),
-        coordinates_(std::move(coordinates)),
-        stack_(stack(model, weights)),
-        first_(first_columns(model)) {}
+  ResidualAt(const Design& design, const Weights& weights, const Model& model,
+             std::vector<Coordinate> coordinates)
+      : coordinates_(std::move(coordinates)),
+        residual_(design, weights, model, moving(model, coordinates_)) {
+    for (const Term& term : model.terms) nonlinear_.push_back(term.nonlinear);
+  }
 
   bool operator()(double const* const* blocks, double* residual) const {
-    std::vector<VectorXd> wanted;
-    for (const Term& term : model_.terms) wanted.push_back(term.nonlinear);
+    std::vector<VectorXd> wanted = nonlinear_;
     for (std::size_t c = 0; c < coordinates_.size(); ++c)
       wanted[coordinates_[c].term](coordinates_[c].parameter) =
           coordinates_[c].to_value(blocks[0][c]);
-    for (std::size_t t = 0; t < wanted.size(); ++t)
-      if (wanted[t] != model_.terms[t].nonlinear) replace(t, wanted[t]);
-    const VectorXd left = solve(stack_).residual;
+    const VectorXd left = residual_(wanted);
     if (!left.allFinite()) return false;
-    VectorXd::Map(residual, stack_.y.size()) = left;
+    VectorXd::Map(residual, left.size()) = left;
     return true;
   }
 
-  Index rows() const { return stack_.y.size(); }
+  Index rows() const { return residual_.rows(); }
 
  private:
-  void replace(std::size_t t, const VectorXd& nonlinear) const {
-    Term& term = model_.terms[t];
-    term.nonlinear = nonlinear;
-    term.columns = design_.columns(*term.candidate, nonlinear);
-    for (std::size_t s = 0; s < term.columns.size(); ++s) {
-      const Index rows = stack_.first_row[s + 1] - stack_.first_row[s];
-      if (rows > 0 && term.columns[s].cols() > 0)
-        stack_.a[s].middleCols(
-            std::lower_bound(stack_.at[s].begin(), stack_.at[s].end(), first_[t]) -
-                stack_.at[s].begin(),
-            term.columns[s].cols()) = weights_[s].asDiagonal() * term.columns[s];
-    }
+  static std::vector<bool> moving(const Model& model, const std::vector<Coordinate>& list) {
+    std::vector<bool> terms(model.terms.size(), false);
+    for (const Coordinate& c : list) terms[c.term] = true;
+    return terms;
   }
 
-  const Design& design_;
-  const Weights& weights_;
-  mutable Model model_;
   std::vector<Coordinate> coordinates_;
-  mutable Stack stack_;
-  std::vector<Index> first_;
+  std::vector<VectorXd> nonlinear_;
+  mutable ProjectedResidual residual_;  // remembers columns
 };
 
 void fit_nonlinear(const Design& design, const Weights& weights, RefineScope scope, Model& model) {
@@ -98,13 +84,12 @@ void fit_nonlinear(const Design& design, const Weights& weights, RefineScope sco
   for (const Coordinate& c : list)
     u.push_back(
         std::clamp(c.from_value(model.terms[c.term].nonlinear(c.parameter)), c.low, c.high));
-  auto residual = std::make_unique<ProjectedResidual>(design, weights, model, list);
+  auto residual = std::make_unique<ResidualAt>(design, weights, model, list);
   const Index rows = residual->rows();
   ceres::NumericDiffOptions steps;
   steps.relative_step_size = 3e-3;  // columns with a kink are smooth on this scale only
-  auto cost =
-      std::make_unique<ceres::DynamicNumericDiffCostFunction<ProjectedResidual, ceres::CENTRAL>>(
-          residual.release(), ceres::TAKE_OWNERSHIP, steps);
+  auto cost = std::make_unique<ceres::DynamicNumericDiffCostFunction<ResidualAt, ceres::CENTRAL>>(
+      residual.release(), ceres::TAKE_OWNERSHIP, steps);
   cost->AddParameterBlock(static_cast<int>(u.size()));
   cost->SetNumResiduals(static_cast<int>(rows));
   ceres::Problem problem;
@@ -123,10 +108,12 @@ void fit_nonlinear(const Design& design, const Weights& weights, RefineScope sco
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
+  std::vector<VectorXd> before;
+  for (const Term& term : model.terms) before.push_back(term.nonlinear);
   for (std::size_t c = 0; c < list.size(); ++c)
     model.terms[list[c].term].nonlinear(list[c].parameter) = list[c].to_value(u[c]);
-  for (Term& term : model.terms)
-    if (term.nonlinear.size() > 0 && term.candidate->kind != CandidateKind::delay)
+  for (std::size_t t = 0; t < before.size(); ++t)
+    if (Term& term = model.terms[t]; term.nonlinear != before[t])
       term.columns = design.columns(*term.candidate, term.nonlinear);
 }
 
@@ -244,8 +231,10 @@ BandColumns shape_rate(const Design& design, const Term& term, Index parameter,
   VectorXd up = term.nonlinear, down = term.nonlinear;
   up(parameter) += h;
   down(parameter) -= h;
-  BandColumns rate = design.columns(*term.candidate, up);
-  const BandColumns low = design.columns(*term.candidate, down);
+  std::vector<bool> training;
+  for (const Segment& s : design.segments()) training.push_back(!s.holdout);
+  BandColumns rate = design.columns_at(training, *term.candidate, up);
+  const BandColumns low = design.columns_at(training, *term.candidate, down);
   for (std::size_t s = 0; s < rate.size(); ++s)
     if (rate[s].cols() > 0) rate[s] = (rate[s] - low[s]) * coefficients / (2.0 * h);
   return rate;

@@ -19,7 +19,7 @@ Term make_term(const Design& design, const Candidate& candidate, const Eigen::Ve
                bool baseline);
 
 /// Derivative of what a term says by one of its nonlinear parameters: one column for each segment
-/// where it acts.
+/// of the training logs where it acts.
 BandColumns shape_rate(const Design& design, const Term& term, Eigen::Index parameter,
                        const Eigen::VectorXd& coefficients);
 

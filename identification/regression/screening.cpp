@@ -30,14 +30,16 @@ struct Projected {
   std::vector<VectorXd> residual;      ///< per segment
   std::vector<MatrixXf> surrogates;    ///< per segment, model projected out
   MatrixXd inverse;                    ///< pseudo-inverse of the normal matrix
+  VectorXd coefficients;               ///< the fit's
 };
 
 Projected project(const Design& design, const Model& model, const Weights& weights,
                   const std::vector<MatrixXf>& surrogates) {
-  const Stack stacked = stack(model, weights);
+  Stack stacked = stack(model, weights);
   const LinearFit fit = solve(stacked);
   Projected p;
   p.inverse = fit.covariance;
+  p.coefficients = fit.coefficients;
   const auto count = design.segments().size();
   p.columns.resize(count);
   p.residual.resize(count);
@@ -50,7 +52,7 @@ Projected project(const Design& design, const Model& model, const Weights& weigh
   for (std::size_t s = 0; s < count; ++s) {
     const Index rows = stacked.first_row[s + 1] - stacked.first_row[s];
     if (rows == 0) continue;
-    p.columns[s] = stacked.a[s];
+    p.columns[s] = std::move(stacked.a[s]);
     p.residual[s] = fit.residual.segment(stacked.first_row[s], rows);
     if (with_surrogates && !p.at[s].empty())
       moments(p.at[s], Eigen::all) +=
@@ -77,12 +79,12 @@ struct Left {
   double excitation = 0.0;
 };
 
-Left leave(const Projected& p, const BandColumns& columns, const Weights& weights) {
+Left leave(const Projected& p, const LibraryColumns& columns, const Weights& weights) {
   Left left;
   MatrixXd gram, cross;
   for (std::size_t s = 0; s < columns.size(); ++s) {
     if (columns[s].cols() == 0 || p.columns[s].rows() == 0) continue;
-    const MatrixXd x = weights[s].asDiagonal() * columns[s];
+    const MatrixXd x = weights[s].asDiagonal() * columns[s].cast<double>();
     if (gram.size() == 0) {
       gram = MatrixXd::Zero(x.cols(), x.cols());
       cross = MatrixXd::Zero(x.cols(), p.inverse.cols());
@@ -160,8 +162,16 @@ struct Limits {
   VectorXd low, high;
 };
 
+/// Coefficients that the training logs have.
+std::vector<Design::Coefficient> trained(const Design& design, const Candidate& candidate) {
+  const auto logs = static_cast<int>(design.problem().training.size());
+  std::vector<Design::Coefficient> layout = design.coefficients(candidate);
+  std::erase_if(layout, [&](const Design::Coefficient& c) { return c.recording >= logs; });
+  return layout;
+}
+
 Limits limits_of(const Design& design, const Candidate& candidate) {
-  const auto layout = design.coefficients(candidate);
+  const auto layout = trained(design, candidate);
   Limits limits{VectorXd(static_cast<Index>(layout.size())),
                 VectorXd(static_cast<Index>(layout.size()))};
   for (std::size_t c = 0; c < layout.size(); ++c) {
@@ -179,7 +189,7 @@ struct SlotResult {
 };
 
 SlotResult test_slot(const Design& design, const Projected& p, const Candidate& candidate,
-                     const VectorXd& nonlinear, const BandColumns& columns,
+                     const VectorXd& nonlinear, const LibraryColumns& columns,
                      const Weights& weights) {
   SlotResult result;
   const Left left = leave(p, columns, weights);
@@ -197,6 +207,25 @@ SlotResult test_slot(const Design& design, const Projected& p, const Candidate& 
   result.null.resize(left.null_moments.cols());
   for (Index i = 0; i < result.null.size(); ++i)
     result.null(i) = group.limited(left.null_moments.col(i), limits.low, limits.high, nullptr);
+  return result;
+}
+
+LibraryColumns in_single(const BandColumns& columns) {
+  LibraryColumns single;
+  for (const MatrixXd& part : columns) single.push_back(part.cast<float>());
+  return single;
+}
+
+LibraryColumns as_library(const Design& design, const Candidate& candidate,
+                          const BandColumns& columns) {
+  const auto logs = static_cast<int>(design.problem().training.size());
+  const auto layout = design.coefficients(candidate);
+  std::vector<Index> kept;
+  for (std::size_t c = 0; c < layout.size(); ++c)
+    if (layout[c].recording < logs) kept.push_back(static_cast<Index>(c));
+  LibraryColumns result(columns.size());
+  for (std::size_t s = 0; s < columns.size(); ++s)
+    if (columns[s].cols() > 0) result[s] = columns[s](Eigen::all, kept).cast<float>();
   return result;
 }
 
@@ -225,13 +254,14 @@ Library::Library(const Design& design) {
   }
   tbb::parallel_for(0, static_cast<int>(slots_.size()), [&](int i) {
     Slot& slot = slots_[static_cast<std::size_t>(i)];
-    slot.columns = design.training_columns(library[static_cast<std::size_t>(slot.candidate)],
-                                           slot.nonlinear, slot.in_band);
+    const Candidate& candidate = library[static_cast<std::size_t>(slot.candidate)];
+    slot.columns = as_library(design, candidate,
+                              design.training_columns(candidate, slot.nonlinear, slot.in_band));
   });
 }
 
-std::vector<const BandColumns*> Library::representatives() const {
-  std::vector<const BandColumns*> chosen;
+std::vector<const LibraryColumns*> Library::representatives() const {
+  std::vector<const LibraryColumns*> chosen;
   for (std::size_t first = 0; first < slots_.size();) {
     std::size_t last = first;
     while (last < slots_.size() && slots_[last].candidate == slots_[first].candidate) ++last;
@@ -246,16 +276,16 @@ std::vector<const BandColumns*> Library::representatives() const {
 Screening screen(const Design& design, const Library& library, const Model& model,
                  const Weights& weights, const std::vector<MatrixXf>& surrogates, Scope scope) {
   const std::vector<Candidate>& candidates = design.problem().library;
-  const LinearFit fit = solve(stack(model, weights));
   const Projected projected = project(design, model, weights, surrogates);
   std::vector<Slot> delays;
-  std::vector<BandColumns> rates;  // the same for every delay
+  std::vector<SharedColumns> rates;  // the same for every delay
   for (std::size_t c = 0; c < candidates.size(); ++c)
     if (candidates[c].kind == CandidateKind::delay) {
       if (rates.empty()) rates = term_rates(design, model);
-      delays.push_back({static_cast<int>(c), VectorXd(),
-                        prediction_rate(design, model, rates, fit.coefficients, candidates[c]),
-                        1.0});
+      delays.push_back(
+          {static_cast<int>(c), VectorXd(),
+           in_single(prediction_rate(design, model, rates, projected.coefficients, candidates[c])),
+           1.0});
     }
   const auto fixed = library.slots().size();
   std::vector<SlotResult> results(fixed + delays.size());

@@ -10,12 +10,14 @@
 
 namespace sinew::diagnosis {
 
-/// A candidate at one starting value of its nonlinear parameters.
+/// A candidate at one starting value of its nonlinear parameters. The library's columns are most of
+/// what a search remembers, and single precision is a thousand times finer than what is told by
+/// them.
 struct Slot {
   int candidate = 0;
   Eigen::VectorXd nonlinear;
-  BandColumns columns;   ///< of the training logs
-  double in_band = 1.0;  ///< share of the raw columns' energy that the filter leaves
+  LibraryColumns columns;  ///< of the training logs
+  double in_band = 1.0;    ///< share of the raw columns' energy that the filter leaves
 };
 
 /// All slots of a library, evaluated once. Delays have no slot: their column follows the model.
@@ -24,7 +26,7 @@ class Library {
   Library(const Design& design);
   const std::vector<Slot>& slots() const { return slots_; }
   /// A few columns of every candidate, for the saturating fit of the noise model.
-  std::vector<const BandColumns*> representatives() const;
+  std::vector<const LibraryColumns*> representatives() const;
 
  private:
   std::vector<Slot> slots_;

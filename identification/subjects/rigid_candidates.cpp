@@ -403,7 +403,8 @@ void RigidColumns::add_signals(Recording& log) const {
     const auto g = static_cast<std::size_t>(i);
     all[g] = columns_of(groups_[g], log);
   });
-  for (std::size_t g = 0; g < all.size(); ++g) log.signals[groups_[g].signal] = std::move(all[g]);
+  for (std::size_t g = 0; g < all.size(); ++g)
+    log.wide_signals[groups_[g].signal] = std::make_shared<const MatrixXd>(std::move(all[g]));
 }
 
 std::vector<RigidColumns::OfMechanism> RigidColumns::candidates() const {
@@ -422,7 +423,7 @@ std::vector<RigidColumns::OfMechanism> RigidColumns::candidates() const {
     c.columns = [signal = group.signal, wide, n = coordinates_](const Recording& log, int channel,
                                                                 const VectorXd&) -> MatrixXd {
       if (channel >= n) return MatrixXd(log.q.rows(), 0);  // a motor
-      return log.signals.at(signal).middleCols(channel * wide, wide);
+      return log.wide_signals.at(signal)->middleCols(channel * wide, wide);
     };
     list.push_back({c, group.effect});
     if (!group.as_drawn) continue;

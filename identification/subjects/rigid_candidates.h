@@ -29,8 +29,8 @@ class RigidColumns {
 
   const Mechanism& mechanism() const { return mechanism_; }
 
-  /// Columns of every effect for a recording, samples x (coordinates * columns), into its signals;
-  /// columns of one coordinate stand together.
+  /// Columns of every effect for a recording, samples x (coordinates * columns), into its wide
+  /// signals; columns of one coordinate stand together.
   void add_signals(Recording& log) const;
 
   /// What the links ask of the joints: samples x coordinates.
