@@ -215,3 +215,45 @@ TEST_CASE("a header names a channel with its unit in any of the styles") {
   CHECK(names_channel({"time [s]", "a"}, {"theta_1 = a [rad]"}, "theta_1"));
   CHECK_FALSE(names_channel({"time [s]", "theta_10 [rad]"}, {"theta_11=a"}, "theta_1"));
 }
+
+namespace {
+
+/// Friction turns every tenth of a second: of some hundred jumps the largest are ten times as large
+/// as the usual one, most to and fro, and one, at row 6000, leaves the effort alone for a row and
+/// comes back.
+double with_turns(long k) {
+  const long turn = k / 100, since = k % 100;
+  const double size = 0.35 * -std::log(0.02 + 0.98 * std::fmod(double(turn) * 0.618034, 1.0));
+  const double shape[] = {0.6, -0.8, 1.0, -0.5};
+  if (k == 6000) return 0.9;
+  if (turn == 60 || since >= 4) return 0.0;
+  return size * shape[since];
+}
+
+Log of_efforts(const std::function<double(long)>& effort) {
+  return read_rows([&](long k) {
+    const double t = 0.001 * double(k);
+    return fmt::format("{:.9f},{:.9f},{:.9f}", std::sin(2.0 * t), std::cos(2.0 * t) + effort(k),
+                       std::sin(2.0 * t));
+  });
+}
+
+}  // namespace
+
+TEST_CASE("a spike stands out of the channel's own largest deviations") {
+  // Planted defect, seen to fail: twelve times the usual deviation, as if all channels had normal
+  // noise. One in twenty sealed logs with nothing hidden was told a spike where friction turned.
+  const auto friction = [](long k) { return 0.2 * noise(k) + 0.1 * with_turns(k); };
+  CHECK(count_of(of_efforts(friction), FaultKind::spike) == 0);
+  const auto struck = [&](long k) { return friction(k) + (k == 3050 ? 1.0 : 0.0); };
+  const Log one = of_efforts(struck);
+  REQUIRE(count_of(one, FaultKind::spike) == 1);
+  CHECK(one.faults.back().row == 3052);
+  // Spikes themselves are no tail: many of them are not what a channel does by chance.
+  const auto many = [](long k) { return noise(k) + (k % 600 == 300 ? 1.0 : 0.0); };
+  const Log often = of_efforts(many);
+  long told = 0;
+  for (const DataFault& f : often.faults)
+    if (f.kind == FaultKind::spike) told += f.count;
+  CHECK(told == 20);
+}
