@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/diagnosis/standard_errors.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "identification/diagnosis/clustered_errors.h"
 #include "identification/regression/refine.h"
 #include "identification/regression/spectrum.h"
 
@@ -41,7 +43,7 @@ VectorXd row_noise(const NoiseView& noise, const Stack& stacked) {
 }  // namespace
 
 std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, const Model& model,
-                                                      const NoiseView& noise) {
+                                                      const NoiseView& noise, NoiseErrors errors) {
   const Stack stacked = stack(model, noise.weights);
   const LinearFit fit = solve(stacked);
   const std::vector<Index> first = first_columns(model);
@@ -79,11 +81,13 @@ std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, cons
   gram.diagonal().head(stacked.coefficients) += stacked.prior;
   spread.diagonal().head(stacked.coefficients) += stacked.prior;
   const MatrixXd inverse = scaled_pseudo_inverse(gram);
-  const MatrixXd covariance = inverse * spread * inverse;
+  VectorXd variance = (inverse * spread * inverse).diagonal();
+  if (errors == NoiseErrors::of_stretches_too)
+    variance = variance.cwiseMax(
+        covariance_by_stretches(design, stacked, a, fit.residual, gram).diagonal());
   for (std::size_t t = 0; t < result.size(); ++t)
     for (std::size_t i = 0; i < result[t].size(); ++i)
-      result[t][i].standard_error =
-          std::sqrt(std::max(0.0, covariance(columns[t][i], columns[t][i])));
+      result[t][i].standard_error = std::sqrt(std::max(0.0, variance(columns[t][i])));
   return result;
 }
 
