@@ -9,9 +9,8 @@
 namespace sinew {
 namespace {
 
-constexpr double spike_size = 12.0;    // in units of the usual deviation from the neighbours' line
-constexpr double false_spikes = 0.01;  // in a log, told of none
-constexpr double most_missing = 0.2;   // of a channel's cells
+constexpr double spike_size = 12.0;   // in units of the usual deviation from the neighbours' line
+constexpr double most_missing = 0.2;  // of a channel's cells
 constexpr double slowest = 0.2,
                  fastest = 1.0e-5;  // sampling periods that a drive's log can have, s
 
@@ -67,11 +66,9 @@ struct Judge {
     const ChannelInspector& channel = inspection.channels[c];
     const double usual = std::max(
         {channel.roughness(), channel.quantum(), 1.0e-6 * (channel.high() - channel.low())});
-    const double by_chance =
-        channel.largest_roughness(false_spikes / static_cast<double>(inspection.channels.size()));
     for (const SpikeCandidate& spike : channel.spikes()) {
       const double scale = std::max(usual, 1.25 * spike.local);
-      if (spike.size < std::max(spike_size * scale, by_chance)) continue;
+      if (spike.size < spike_size * scale) continue;
       add(c, FaultKind::spike, Severity::repaired, spike.first_row, spike.last_row,
           fmt::format("'{}' jumps by {:.4g} and back; its neighbours differ by about {:.2g}",
                       column(c).spec.name, spike.size, scale),
@@ -174,8 +171,8 @@ struct Judge {
     return rows * rows < kLonger * kLonger * 8.0 * channel.quantum() / deceleration;
   }
 
-  // What stands nearly all the time, wherever it stands, is set and not measured: a guide's angle,
-  // a load on a hook.
+  // What stands nearly all the time, wherever it stands, is set and not measured: a guide's angle, a
+  // load on a hook.
   static bool is_setting(const ChannelInspector& channel) {
     constexpr double kStands = 0.9;
     long standing = 0;

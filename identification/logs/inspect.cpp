@@ -95,15 +95,14 @@ void ChannelInspector::push(long row, double value) {
     spikes_.push_back(done);
     pending_.pop_front();
   }
-  if (filled_ < 7) return;
-  // A spike's last neighbour is three rows nearer to the newest one than what enters the tail.
-  const bool one = look_for_spike(1), two = look_for_spike(2);
-  if (one || two) spike_until_ = count_ + 3;
-  if (count_ > spike_until_) tail_.push(std::abs(w[1] - 0.5 * (w[0] + w[2])));
+  if (filled_ == 7) {
+    look_for_spike(1);
+    look_for_spike(2);
+  }
 }
 
 // A spike leaves its neighbours and comes back to them; a step does not come back.
-bool ChannelInspector::look_for_spike(int width) {
+void ChannelInspector::look_for_spike(int width) {
   const double* w = window_ + (width == 1 ? 1 : 0);
   const double left = w[1], right = w[2 + width];
   double size = 1.0e300;
@@ -115,10 +114,10 @@ bool ChannelInspector::look_for_spike(int width) {
     size = std::min(size, std::abs(deviation));
   }
   const double quiet = 0.35 * size;
-  if (!(above || below) || size < 4.0 * local_ / (width + 3.0)) return false;
+  if (!(above || below) || size < 4.0 * local_ / (width + 3.0)) return;
   if (std::abs(right - left) > quiet || std::abs(left - w[0]) > quiet ||
       std::abs(w[3 + width] - right) > quiet)
-    return false;
+    return;
   SpikeCandidate found;
   const long* r = rows_ + (width == 1 ? 1 : 0);
   found.first_row = r[2];
@@ -127,12 +126,11 @@ bool ChannelInspector::look_for_spike(int width) {
   // The spike itself has entered the running mean three or four times; take its share out.
   found.local = std::max(0.0, local_ - size * (width + 2.0) / 32.0);
   pending_.push_back({found, count_ + context});
-  if (spikes_.size() < candidates_kept) return true;
+  if (spikes_.size() < candidates_kept) return;
   const auto middle = spikes_.begin() + static_cast<long>(candidates_kept / 2);
   std::nth_element(spikes_.begin(), middle, spikes_.end(),
                    [](const auto& a, const auto& b) { return a.size > b.size; });
   spikes_.resize(candidates_kept / 2);
-  return true;
 }
 
 void ChannelInspector::push_step(long row, double value) {
@@ -267,15 +265,6 @@ double ChannelInspector::noise() const {
 
 double ChannelInspector::roughness() const {
   return rough_.quantile(0.5) / 0.674489750196;
-}
-
-double ChannelInspector::largest_roughness(double times) const {
-  constexpr double kFew = 0.005, kFewest = 0.001;  // of the samples are in the tail that is fitted
-  const double few = tail_.quantile(1.0 - kFew), fewest = tail_.quantile(1.0 - kFewest);
-  // Jumps of friction get rarer with their size as an exponential does, normal noise sooner.
-  const double scale = (fewest - few) / std::log(kFew / kFewest);
-  const double expected = kFewest * static_cast<double>(count_);
-  return fewest + scale * std::max(0.0, std::log(expected / times));
 }
 
 void TimeInspector::push(long row, double time, int decimals) {

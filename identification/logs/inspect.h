@@ -76,10 +76,6 @@ class ChannelInspector {
   double noise() const;
   /// Typical deviation of a sample from the line through its neighbours (1 sigma equivalent).
   double roughness() const;
-  /// The same that a channel like this one exceeds by chance in so many samples on an average, from
-  /// the tail of its own deviations, those of what may be a spike left out: an effort jumps where
-  /// friction turns, and its largest deviations are no normal noise's.
-  double largest_roughness(double times) const;
   /// Quantile of the absolute steps that are not zero.
   double step(double fraction) const { return steps_.quantile(fraction); }
   /// Median of the mean step over a few rows, where it moves.
@@ -107,7 +103,7 @@ class ChannelInspector {
     long due = 0;
   };
   void push_step(long row, double value);
-  bool look_for_spike(int width);
+  void look_for_spike(int width);
   void close_run(double next, bool ended);
   double mean_step() const;
   void extreme(ExtremeRuns& runs, double value, long row, bool repeats) const;
@@ -120,8 +116,7 @@ class ChannelInspector {
   long rows_[7] = {};
   int filled_ = 0;
   double local_ = 0.0;
-  StridedSample steps_, third_, rough_, tail_, speeds_;
-  long spike_until_ = -1;  ///< the count at which the last row that a spike may touch is in tail_
+  StridedSample steps_, third_, rough_, speeds_;
   double trail_[approach_rows] = {};  // ring of the last values
   std::deque<Pending> pending_;
   std::vector<SpikeCandidate> spikes_;
