@@ -278,16 +278,8 @@ class Run {
     return {std::move(fitted), std::move(possible), any, std::move(effort), std::move(measured)};
   }
 
-  /// A channel of the held-out logs of which the extended model leaves surely more over.
   std::optional<int> harmed(const std::vector<MeasuredChannel>& measured) const {
-    constexpr double kLeast = 0.5;  // s: less motion of a joint judges nothing
-    if (!judged_on_held_out(measured)) return std::nullopt;
-    for (int c = 0; c < subject_.problem().channels; ++c)
-      if (judged_seconds(measured, c) > kLeast &&
-          leaves_more_than(request_.settings.material_share, measured, c) &&
-          measured_gain(measured, c, request_.settings.seed).high < 0.0)
-        return c;
-    return std::nullopt;
+    return harmed_channel(measured, subject_.problem().channels, request_.settings);
   }
 
   /// Adopted where the measured gain on held-out logs is positive with its interval, and no joint

@@ -165,6 +165,10 @@ class ObservedRun {
       if (!log.held_out && any) result_.extended.logs.push_back({log.file, log.sha256});
     decide_adoption(any, !request_.holdout.empty(), f.verdict.held_out, {"observation"},
                     f.extension);
+    if (const auto worse = harmed_channel(measured, subject_.problem().channels, request_.settings))
+      withhold(fmt::format("the held-out error of '{}' would grow",
+                           request_.rig.channels[static_cast<std::size_t>(*worse)].name),
+               f.extension);
     if (!discrepant_.empty())
       withhold(fmt::format("more than half of '{}' is left over: its unit, its sign and its column "
                            "come first",

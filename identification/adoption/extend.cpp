@@ -6,7 +6,7 @@
 
 #include "identification/adoption/adopted_fit.h"
 #include "identification/adoption/physical_links.h"
-#include "identification/diagnosis/standard_errors.h"
+#include "identification/diagnosis/form_errors.h"
 #include "identification/subjects/effect_candidate.h"
 #include "identification/subjects/rigid_candidates.h"
 #include "symbolic/effects/effects.h"
@@ -202,7 +202,7 @@ void put_before_gains(std::vector<ExtensionTerm>& terms) {
 
 ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& design,
                                const Explanation& explanation, const Selection& selection) {
-  auto all = estimates(design, selection.model, selection.noise);
+  auto all = told_estimates(design, selection.model, selection.noise);
   ExtensionTerms extension;
   const PhysicalLinks physical = make_links_physical(subject, design, selection, all);
   extension.changed = physical.changed;

@@ -207,6 +207,18 @@ Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, un
   return block_bootstrap_gain(before, after, 0.95, seed);
 }
 
+std::optional<int> harmed_channel(const std::vector<MeasuredChannel>& measured, int channels,
+                                  const Settings& settings) {
+  constexpr double kLeast = 0.5;  // s: less motion of a joint judges nothing
+  if (!judged_on_held_out(measured)) return std::nullopt;
+  for (int c = 0; c < channels; ++c)
+    if (judged_seconds(measured, c) > kLeast &&
+        leaves_more_than(settings.material_share, measured, c) &&
+        measured_gain(measured, c, settings.seed).high < 0.0)
+      return c;
+  return std::nullopt;
+}
+
 void tell_measured(const std::vector<MeasuredChannel>& measured, bool unlike, bool extended,
                    unsigned seed, Verdict& verdict) {
   std::set<int> channels;

@@ -2,6 +2,7 @@
 // The error of a model on logs, through its emitted C: before and after an extension.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "identification/adoption/extend.h"
@@ -45,6 +46,11 @@ double judged_seconds(const std::vector<MeasuredChannel>& measured, int channel)
 /// Gain of the mean square, standstill aside, on the logs judged on, with its interval from twelve
 /// blocks of each. channel = -1: of all, each in units of what is left of it at best.
 Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, unsigned seed);
+
+/// A channel of the held-out logs of which the extended model leaves surely more over, the first
+/// of `channels`; none without held-out logs.
+std::optional<int> harmed_channel(const std::vector<MeasuredChannel>& measured, int channels,
+                                  const Settings& settings);
 
 /// Puts errors and gain of all channels together, as measured, into a verdict: whatever is told of
 /// them is told from there. A lone cause that the extension holds gains what all gain. `unlike`:

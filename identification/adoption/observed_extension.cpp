@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "identification/diagnosis/standard_errors.h"
+#include "identification/diagnosis/form_errors.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -128,7 +128,7 @@ Index first_of(const Observation& observation, int effect, bool shapes) {
 Identified extended_observation(const ObservedSubject& subject, const Design& design,
                                 const Explanation& explanation) {
   const Selection& selection = explanation.selection;
-  const auto all = estimates(design, selection.model, selection.noise);
+  const auto all = told_estimates(design, selection.model, selection.noise);
   const Observation& observation = subject.observation();
   Learning l{subject.learnt(), subject.shapes(), {}};
   Identified result = subject.identified();

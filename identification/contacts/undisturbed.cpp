@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/contacts/undisturbed.h"
 
+#include <algorithm>
+
 #include "identification/contacts/unlogged_force.h"
 #include "identification/regression/screening.h"
 
@@ -25,6 +27,18 @@ Model saturated(const Problem& problem, Model model) {
       model.terms.push_back({&candidate, false, starts[i], {}});
       if (starts.size() < 3) break;
     }
+  }
+  return model;
+}
+
+/// The model with the ripples that the spectra over the angle show: what the band holds of them
+/// comes in bursts, where the shaft is slow.
+Model with_lines(const DrivenSubject& subject, Model model) {
+  for (const DrivenSubject::ShaftLine& line : subject.shaft_lines()) {
+    const Candidate* ripple = &subject.problem().library[static_cast<std::size_t>(line.candidate)];
+    const auto is_there = [&](const Term& term) { return term.candidate == ripple; };
+    if (std::none_of(model.terms.begin(), model.terms.end(), is_there))
+      model.terms.push_back({ripple, false, Eigen::VectorXd(), {}});
   }
   return model;
 }
@@ -56,8 +70,8 @@ constexpr int kMostSearches = 2;
 
 std::optional<NamedCause> find_undisturbed(const Search& search, const Settings& settings,
                                            DrivenSubject& subject, Explanation& explanation) {
-  const Model& found = explanation.selection.model;
-  if (found.terms.empty()) return std::nullopt;
+  if (explanation.selection.model.terms.empty()) return std::nullopt;
+  const Model found = with_lines(subject, explanation.selection.model);
   const Problem& problem = subject.problem();
   const Design design = evenly_banded(problem, settings);
   const FitInTime whole(design, found);
@@ -70,7 +84,7 @@ std::optional<NamedCause> find_undisturbed(const Search& search, const Settings&
     std::optional<FitInTime> outside;
     std::optional<Disturbances> plainer;
     Explanation other = search(rest, [&](const Explanation& e) {
-      outside.emplace(design, e.selection.model);
+      outside.emplace(design, with_lines(rest, e.selection.model));
       if (left == 1) return true;
       // With causes that no push has spoilt it is plainer what is disturbed, in held-out logs too.
       Disturbances again = find_disturbances(*outside);

@@ -10,6 +10,7 @@
 #include "identification/diagnosis/deviation_terms.h"
 #include "identification/diagnosis/explained_structure.h"
 #include "identification/diagnosis/fewer_causes.h"
+#include "identification/diagnosis/form_errors.h"
 #include "identification/diagnosis/parameter_deviations.h"
 #include "identification/diagnosis/standard_errors.h"
 #include "identification/diagnosis/unexplained.h"
@@ -210,7 +211,7 @@ void name_deviations(const Design& design, const Library& library, const Setting
         confidence_of({cause.confidence, cause.p_family, cause.cross_validated.share, 0.0});
     result.verdict.causes.push_back(std::move(cause));
   }
-  const auto all = estimates(design, state.model, state.noise);
+  const auto all = told_estimates(design, state.model, state.noise);
   for (std::size_t i = 0; i < named.size(); ++i)
     result.verdict.causes[first + i].parameters = all[named[i]];
   // Told as the model is extended by them: beside values that are free a cause that does much the
@@ -273,7 +274,7 @@ Explanation explain_by_rules(const Problem& problem, const Settings& settings,
                                       1.0 - verdict.unexplained.named_share});
     verdict.causes.push_back(std::move(cause));
   }
-  result.estimates = estimates(design, selection.model, selection.noise);
+  result.estimates = told_estimates(design, selection.model, selection.noise);
   for (std::size_t i = 0; i < named.size(); ++i)
     verdict.causes[i].parameters = result.estimates[named[i]];
   for (std::size_t t = 0; t < selection.model.terms.size(); ++t)

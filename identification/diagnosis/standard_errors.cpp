@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/diagnosis/standard_errors.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "identification/diagnosis/clustered_errors.h"
 #include "identification/regression/refine.h"
 #include "identification/regression/spectrum.h"
 
@@ -49,18 +51,12 @@ Normal normal_of(const Stack& stacked, const std::vector<VectorXd>& shapes,
   const auto more = static_cast<Index>(shapes.size()), all = stacked.coefficients + more;
   Normal sum{MatrixXd::Zero(all, all), MatrixXd::Zero(all, all)};
   for (std::size_t s = 0; s < stacked.a.size(); ++s) {
-    const Index first = stacked.first_row[s], rows = stacked.a[s].rows();
-    if (rows == 0) continue;
-    MatrixXd a(rows, stacked.a[s].cols() + more);
-    a.leftCols(stacked.a[s].cols()) = stacked.a[s];
-    std::vector<Index> at = stacked.at[s];
-    for (Index k = 0; k < more; ++k) {
-      a.col(stacked.a[s].cols() + k) = shapes[static_cast<std::size_t>(k)].segment(first, rows);
-      at.push_back(stacked.coefficients + k);
-    }
-    sum.gram(at, at) += a.transpose() * a;
-    a = variance.segment(first, rows).cwiseSqrt().asDiagonal() * a;
-    sum.spread(at, at) += a.transpose() * a;
+    ActingRows rows = acting_rows(stacked, shapes, s);
+    if (rows.at.empty()) continue;
+    sum.gram(rows.at, rows.at) += rows.a.transpose() * rows.a;
+    rows.a =
+        variance.segment(stacked.first_row[s], rows.a.rows()).cwiseSqrt().asDiagonal() * rows.a;
+    sum.spread(rows.at, rows.at) += rows.a.transpose() * rows.a;
   }
   sum.gram.diagonal().head(stacked.coefficients) += stacked.prior;
   sum.spread.diagonal().head(stacked.coefficients) += stacked.prior;
@@ -70,7 +66,7 @@ Normal normal_of(const Stack& stacked, const std::vector<VectorXd>& shapes,
 }  // namespace
 
 std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, const Model& model,
-                                                      const NoiseView& noise) {
+                                                      const NoiseView& noise, NoiseErrors errors) {
   const Stack stacked = stack(model, noise.weights);
   const LinearFit fit = solve(stacked);
   const std::vector<Index> first = first_columns(model);
@@ -104,11 +100,14 @@ std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, cons
   }
   const Normal normal = normal_of(stacked, sensitivities, row_noise(noise, stacked));
   const MatrixXd inverse = scaled_pseudo_inverse(normal.gram);
-  const MatrixXd covariance = inverse * normal.spread * inverse;
+  VectorXd variance = (inverse * normal.spread * inverse).diagonal();
+  if (errors == NoiseErrors::of_stretches_too)
+    variance = variance.cwiseMax(
+        covariance_by_stretches(design, stacked, sensitivities, fit.residual, normal.gram)
+            .diagonal());
   for (std::size_t t = 0; t < result.size(); ++t)
     for (std::size_t i = 0; i < result[t].size(); ++i)
-      result[t][i].standard_error =
-          std::sqrt(std::max(0.0, covariance(columns[t][i], columns[t][i])));
+      result[t][i].standard_error = std::sqrt(std::max(0.0, variance(columns[t][i])));
   return result;
 }
 

@@ -110,8 +110,11 @@ struct Candidate {
   bool told_only = false;  ///< no model has a place for it: it is told, and nothing is adopted
   bool of_body =
       false;  ///< parameters of a body: their columns are exact, unlike a friction law\'s
-  std::string contains;   ///< deviation at the same place that is a part of it; may be empty
-  bool nuisance = false;  ///< is in every measurement: fitted, and no name for what is wrong
+  std::string contains;  ///< deviation at the same place that is a part of it; may be empty
+  /// Its columns in a form that nature may have as well; empty: none is known (form_errors.h).
+  ColumnFunction other_form;
+  bool sized_twice = false;  ///< its one coefficient and its first nonlinear parameter are one size
+  bool nuisance = false;     ///< is in every measurement: fitted, and no name for what is wrong
   /// false: a fit with these coefficients and nonlinear parameters is not this effect; may be
   /// empty.
   std::function<bool(const Eigen::VectorXd& coefficients, const Eigen::VectorXd& nonlinear)>

@@ -95,8 +95,14 @@ std::vector<OrderLine> DrivenSubject::lines_found(std::size_t joint, double turn
   }
   std::vector<OrderLine> lines =
       order_lines(logs, kLowOrders + 1, static_cast<int>(std::min<double>(kHighestOrder, most)));
-  lines.resize(std::min(lines.size(), kMostFound));
-  return lines;
+  std::vector<OrderLine> own;
+  for (const OrderLine& line : lines) {
+    // No ripple is a pure sine: harmonics of a stronger line are its form.
+    const auto is_harmonic = [&](const OrderLine& other) { return line.order % other.order == 0; };
+    if (own.size() < kMostFound && std::none_of(own.begin(), own.end(), is_harmonic))
+      own.push_back(line);
+  }
+  return own;
 }
 
 /// Where the model does not say how far a turn of the motor moves the joint.

@@ -29,7 +29,8 @@ struct SignalSamples {
   std::array<double, signals> value{};
   double start = 0.0;  ///< of the log
 
-  SignalSamples(const Recording& log, int axis) {
+  /// direction: instead of the log's own; may be null.
+  SignalSamples(const Recording& log, int axis, const VectorXd* direction) {
     const auto column = [&](const MatrixXd& x) { return x.data() + axis * x.rows(); };
     samples[0] = column(log.q);
     samples[1] = column(log.qd);
@@ -41,7 +42,7 @@ struct SignalSamples {
     else if (log.load.size() > 0)
       samples[4] = column(log.load);
     samples[5] = log.time.data();
-    samples[6] = column(log.signals.at("direction"));
+    samples[6] = direction ? direction->data() : column(log.signals.at("direction"));
     value[7] = log.step;
     start = log.started();
     constexpr const char* of_links[] = {"parting", "carried_inertia", "carried_jounce"};
@@ -83,6 +84,12 @@ LinearParameter linear_parameter(const EffectColumn& column, bool revolute) {
   return p;
 }
 
+/// Friction by the load or at a place is that of another contact than the one of which the model
+/// knows how it turns.
+bool is_of_another_contact(const Effect& effect) {
+  return effect.id == "load_friction" || effect.id == "position_friction";
+}
+
 }  // namespace
 
 LogScale scale_of(const std::vector<Recording>& logs, int axis) {
@@ -111,10 +118,10 @@ Regressor::Regressor(const Effect& effect)
 }
 
 MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int axis,
-                        const VectorXd& shape) {
+                        const VectorXd& shape, const VectorXd* direction) {
   const sinew_function& function = *regressor.function;
   const Index count = regressor.columns;
-  const SignalSamples x(log, axis);
+  const SignalSamples x(log, axis, direction);
   std::vector<double> in(static_cast<std::size_t>(function.input_size));
   std::vector<double> out(static_cast<std::size_t>(function.output_size));
   std::copy(shape.begin(), shape.end(), in.begin() + static_cast<std::ptrdiff_t>(signals));
@@ -162,6 +169,13 @@ Candidate effect_candidate(const Effect& effect, const EffectPlace& place, const
     if (channel != axis) return {};
     return effect_columns(regressor, log, axis, fixed ? *fixed : nonlinear);
   };
+  if (is_of_another_contact(effect))
+    c.other_form = [regressor = Regressor(effect), axis = place.axis, fixed](
+                       const Recording& log, int channel, const VectorXd& nonlinear) -> MatrixXd {
+      if (channel != axis) return {};
+      const VectorXd at_once = log.qd.col(axis).cwiseSign();
+      return effect_columns(regressor, log, axis, fixed ? *fixed : nonlinear, &at_once);
+    };
   return c;
 }
 

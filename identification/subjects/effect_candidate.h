@@ -40,9 +40,10 @@ struct Regressor {
 
 /// samples x columns at the given shape parameters. The recording needs q, qd, qdd, time, and the
 /// signals "direction" and "jounce"; a missing load counts as zero. "acceleration" goes before qdd,
-/// "carried" before the load.
+/// "carried" before the load. direction: instead of the signal, as many samples; may be null.
 Eigen::MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int axis,
-                               const Eigen::VectorXd& shape);
+                               const Eigen::VectorXd& shape,
+                               const Eigen::VectorXd* direction = nullptr);
 
 /// The candidate. Where `fixed` is given it holds all shape parameters, else they are searched
 /// within the effect's limits.

@@ -275,6 +275,7 @@ Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortMode
   // Friction turns within the play: what the sensor hides of the motion is not proportional to it.
   c.nonlinear = {{"half_play_of_motion", unit, 1e-5 * reach, 3e-3 * reach, 4, true}};
   c.possible = of_its_size(4.0);
+  c.sized_twice = true;
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd& half_play) -> MatrixXd {
     if (channel != axis) return {};

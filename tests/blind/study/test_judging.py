@@ -122,10 +122,17 @@ class Physics(unittest.TestCase):
         (place / "f2" / "mass_properties.csv").write_text("link,mass [kg]\nl1,0.01\n")
         self.assertEqual(physical.links_of(place / "model")["f2_l1"]["mass [kg]"], "0.01")
 
-    def test_a_simulated_log_is_its_beginning(self):
+    def test_all_of_the_held_out_log_is_simulated(self):
+        """Planted defect, seen to fail: its first four seconds alone, in which the right model of a friction that
+        drifts is 4 % worse than the one without it, and over the whole log 21 % better."""
         place = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         (place / "holdout.csv").write_text("time [s],a\n" + "".join(f"{10 + 0.5 * k},1\n" for k in range(40)))
-        self.assertEqual(len(physical.shorter_log(place).read_text().splitlines()), 1 + 9)
+        program = place / "sinew"
+        program.write_text('#!/bin/sh\nwhile [ "$1" != --log ]; do shift; done\nrows=$(wc -l < "$2")\n'
+                           'echo "{\\"deviations\\": [{\\"channel\\": \\"a\\", \\"sensor\\": $rows}]}"\n')
+        program.chmod(0o755)
+        tools = {"sinew": program, "limit": 10}
+        self.assertEqual(physical.simulated(tools, place, place / "model"), {"a": 1 + 40})
 
 
 if __name__ == "__main__":

@@ -102,3 +102,19 @@ TEST_CASE("a verdict takes errors and gains from what was measured") {
   diagnosis::tell_measured(one, false, false, 1, corrected);
   CHECK(corrected.causes.front().held_out.share == 0.5);
 }
+
+TEST_CASE("what makes one channel surely worse is seen, whatever another one gains") {
+  // Planted defect, seen to fail: the gain of all channels asked, which was all that a lever's or a
+  // wrist's adoption went by.
+  const MeasuredChannel better = channel(0, 30.0, 10.0, 7);
+  MeasuredChannel worse = channel(1, 30.0, 0.0, 8);
+  worse.after = 0.9 * worse.after;
+  worse.step = 0.05;
+  CHECK(diagnosis::measured_gain({better, worse}, -1, 1).low > 0.0);
+  CHECK(diagnosis::harmed_channel({better, worse}, 2, diagnosis::Settings()) == 1);
+  worse.held_out = false;
+  CHECK_FALSE(diagnosis::harmed_channel({better, worse}, 2, diagnosis::Settings()));
+  MeasuredChannel same = channel(1, 30.0, 0.0, 8);
+  same.step = 0.05;
+  CHECK_FALSE(diagnosis::harmed_channel({better, same}, 2, diagnosis::Settings()));
+}
