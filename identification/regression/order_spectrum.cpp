@@ -15,15 +15,17 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kFalseAlarm = 1e-4;   // of a search over all orders
-constexpr double kNextToWhole = 0.25;  // of an order
-constexpr int kBinsAPeriod = 8;        // of the highest order
+constexpr double kFalseAlarm = 1e-4;  // of a search over all orders
+// What a line may lack at its whole order of the energy at its top: an eighth of its width, and
+// noise.
+constexpr double kOffTop = 0.05, kByNoise = 3.0;
+constexpr int kBinsAPeriod = 8;  // of the highest order
 constexpr double kMostBins = 4e6;
 
 /// Energy at equally spaced orders, from 0 on.
 struct OrderSpectrum {
   double travel = 0.0;  ///< turns
-  double step = 0.0;    ///< orders; a quarter of what the travel resolves
+  double step = 0.0;    ///< orders; an eighth of what the travel resolves
   VectorXd energy;
   /// The next one to an order.
   Index index(double order) const {
@@ -37,9 +39,9 @@ OrderSpectrum spectrum_of(const ShaftLog& log, int highest) {
   const double low = log.turns.minCoeff(), travel = log.turns.maxCoeff() - low;
   const double bins_a_turn = static_cast<double>(kBinsAPeriod * highest);
   const double wanted = std::ceil(travel * bins_a_turn) + 1.0;
-  if (!(travel >= 1.0) || !(wanted <= kMostBins)) return {};
+  if (!(travel >= kLeastTurns) || !(wanted <= kMostBins)) return {};
   std::size_t size = 1;
-  while (static_cast<double>(size) < 4.0 * wanted) size *= 2;
+  while (static_cast<double>(size) < 8.0 * wanted) size *= 2;
   std::vector<double> bins(size, 0.0);
   for (Index i = 1; i < log.turns.size(); ++i) {
     const auto at = static_cast<std::size_t>((log.turns(i) - low) * bins_a_turn);
@@ -70,8 +72,8 @@ double noise_around(const OrderSpectrum& s, int order) {
   return *middle / std::log(2.0);
 }
 
-/// The logs' energies at a whole order, each over its noise; 0 where the next top of their sum lies
-/// elsewhere.
+/// The logs' energies at a whole order, each over its noise; 0 where their sum has its top
+/// elsewhere: a line between whole orders is no tooth's, pole's or slot's.
 double prominence(const std::vector<OrderSpectrum>& spectra, int order) {
   constexpr int steps = 20;  // to half an order on each side
   VectorXd sum = VectorXd::Zero(2 * steps + 1);
@@ -81,10 +83,7 @@ double prominence(const std::vector<OrderSpectrum>& spectra, int order) {
     for (Index i = 0; i < sum.size(); ++i)
       sum(i) += s.energy(s.index(order + 0.5 * static_cast<double>(i - steps) / steps)) / noise;
   }
-  Index top = 0;
-  sum.maxCoeff(&top);
-  return 0.5 * std::abs(static_cast<double>(top - steps)) / steps <= kNextToWhole ? sum(steps)
-                                                                                  : 0.0;
+  return sum(steps) >= (1.0 - kOffTop) * sum.maxCoeff() - kByNoise ? sum(steps) : 0.0;
 }
 
 }  // namespace

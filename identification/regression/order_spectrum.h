@@ -8,6 +8,10 @@
 
 namespace sinew::diagnosis {
 
+/// A log tells orders where it turns the shaft so often: in less, a line is as wide as a quarter of
+/// an order, and one between whole orders passes for one of them.
+inline constexpr double kLeastTurns = 4.0;
+
 /// A log as an order spectrum sees it.
 struct ShaftLog {
   Eigen::VectorXd turns;  ///< of the shaft
@@ -23,8 +27,7 @@ struct OrderLine {
 
 /// Lines at whole orders in [lowest, highest] of the logs' spectra together, the strongest first. A
 /// line stands out of the median of what is around it further than noise does in one of 10,000
-/// searches; its top lies within a quarter of an order of a whole one. Logs of less than a turn
-/// tell nothing: a line is there as wide as an order.
+/// searches, and has its top at the whole order.
 std::vector<OrderLine> order_lines(const std::vector<ShaftLog>& logs, int lowest, int highest);
 
 /// One line's sine in one log, by least squares over the angle.

@@ -73,6 +73,10 @@ double slow_speed(const VectorXd& position, const VectorXd& velocity) {
   return 0.0;
 }
 
+bool is_whole(double order) {
+  return order > 0.5 && std::abs(order - std::round(order)) < 1e-6;
+}
+
 }  // namespace
 
 ShaftLog DrivenSubject::shaft_log(std::size_t joint, double turn, const Recording& log) const {
@@ -82,21 +86,24 @@ ShaftLog DrivenSubject::shaft_log(std::size_t joint, double turn, const Recordin
                   log.target[joint] - log.known[joint])};
 }
 
-/// Above the low orders, of logs that make a turn.
+/// Above the low orders.
 std::vector<OrderLine> DrivenSubject::lines_found(std::size_t joint, double turn) const {
   std::vector<ShaftLog> logs;
   double most = 0.0;
   for (const Recording& log : problem_.training) {
     const auto q = log.q.col(static_cast<Index>(joint));
-    if (!(q.maxCoeff() - q.minCoeff() >= turn)) continue;
+    if (!(q.maxCoeff() - q.minCoeff() >= kLeastTurns * turn)) continue;
     const double slow = slow_speed(q, log.qd.col(static_cast<Index>(joint)));
     if (slow > 0.0) most = std::max(most, kSampled / log.step * turn / slow);
     logs.push_back(shaft_log(joint, turn, log));
   }
   std::vector<OrderLine> lines =
       order_lines(logs, kLowOrders + 1, static_cast<int>(std::min<double>(kHighestOrder, most)));
+  const double motor = model_.joints[joint].motor_turn;
   std::vector<OrderLine> own;
   for (const OrderLine& line : lines) {
+    // The same ripple is one of the motor's orders and, by the gear's ratio, one of the output's.
+    if (motor > 0.0 && motor < turn && is_whole(line.order * motor / turn)) continue;
     // No ripple is a pure sine: harmonics of a stronger line are its form.
     const auto is_harmonic = [&](const OrderLine& other) { return line.order % other.order == 0; };
     if (own.size() < kMostFound && std::none_of(own.begin(), own.end(), is_harmonic))
