@@ -96,8 +96,8 @@ struct Candidate {
   std::vector<NonlinearParameter> nonlinear;
   std::vector<LinearParameter> linear;
   ColumnFunction columns;
-  bool broadband = false;    ///< like noise: may lie mostly above the frequencies looked at
-  bool exact = false;        ///< so may this: what the band holds of it is known as well as the rest
+  bool broadband = false;  ///< like noise: may lie mostly above the frequencies looked at
+  bool exact = false;      ///< so may this: what the band holds of it is known as well as the rest
   double least_share = 0.0;  ///< where more than the settings': of the residual, or it is no cause
   /// Lags of a position only: the effort of its channel for a position error of one s^2 times the
   /// acceleration. A delay d and a lag d differ by d^2 / 2 of it (lag.h).
