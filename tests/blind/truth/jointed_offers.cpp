@@ -43,7 +43,7 @@ void offer_axis(const Jointed& jointed, std::size_t axis, const std::string& pla
     offer("torque_constant", 1.0, "gain_change", fits_turning);
     offer("sensor_scale", 1.0, "scale_error", fits_turning);
     offer("delay", 1.0, "delay", fits_turning);
-    for (const int order : {1, 2, 6, 24}) offer("input_ripple", m.effort, "", fits_all, 1.0, order);
+    for (const int order : {1, 24}) offer("input_ripple", m.effort, "", fits_all, 1.0, order);
     if (const int order = lowest_order(m); order > 0)
       offer("output_ripple", m.effort, "", fits_all, 1.0, order);
     if (loaded) offer("load_ripple", 1.0, "", fits_all, 1.0, 1);
