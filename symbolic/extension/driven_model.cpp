@@ -35,9 +35,11 @@ std::vector<int> known_orders(const Joint& joint) {
 }
 
 std::vector<int> orders_of(const std::vector<Ripple>& ripples) {
+  constexpr double most = 1000.0;  // more than any motor or gear has of anything
   std::vector<int> orders;
   for (const Ripple& ripple : ripples)
-    if (ripple.order == std::floor(ripple.order)) orders.push_back(static_cast<int>(ripple.order));
+    if (ripple.order == std::floor(ripple.order) && ripple.order <= most)
+      orders.push_back(static_cast<int>(ripple.order));
   return orders;
 }
 

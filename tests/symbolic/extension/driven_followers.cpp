@@ -31,3 +31,22 @@ TEST_CASE("a joint that follows another one leaves its losses to that one") {
   }
   FAIL("the independent joint is not driven");
 }
+
+TEST_CASE("a drive's ripples are looked for at the orders of its poles, slots and teeth") {
+  // Planted defect, seen to fail: poles taken for pairs of them.
+  Mechanism ring = read_mechanism(SINEW_SOURCE_DIR "/models/ring");
+  ring.joints.front().motor_poles = 14;
+  ring.joints.front().motor_slots = 12;
+  ring.joints.front().gear_teeth = 17;
+  const std::vector<DrivenJoint> joints = driven_joints(ring);
+  REQUIRE(joints.front().name == ring.joints.front().name);
+  CHECK(joints.front().motor_orders == std::vector<int>{7, 14, 17, 42, 84});
+  CHECK(joints.back().motor_orders.empty());
+
+  MotorParameters motor;
+  motor.gear_ratio = 0.01;
+  motor.rotor_inertia = 1e-5;
+  motor.torque_constant = 0.05;
+  motor.input_ripple = {{6.0, 0.1, 0.0}, {2.5, 0.1, 0.0}, {1e30, 0.1, 0.0}};
+  CHECK(driven_model(motor, "motor").joints.front().motor_orders == std::vector<int>{6});
+}
