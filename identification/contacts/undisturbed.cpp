@@ -9,10 +9,12 @@
 namespace sinew::diagnosis {
 namespace {
 
-double numbers_of(const Verdict& verdict) {
+double numbers_of(const Explanation& explanation) {
   double sum = 0.0;
-  for (const NamedCause& cause : verdict.causes)
+  for (const NamedCause& cause : explanation.verdict.causes)
     sum += static_cast<double>(cause.parameters.size());
+  for (const Term& term : explanation.structure)
+    sum += static_cast<double>(term.candidate->linear.size());
   return sum;
 }
 
@@ -40,6 +42,15 @@ Model with_lines(const DrivenSubject& subject, Model model) {
     if (std::none_of(model.terms.begin(), model.terms.end(), is_there))
       model.terms.push_back({ripple, false, Eigen::VectorXd(), {}});
   }
+  return model;
+}
+
+/// Everything that explains the logs: the model, lines over a shaft's angle, and structure that has
+/// no name. None of it is a push.
+Model with_everything(const DrivenSubject& subject, const Explanation& explanation) {
+  Model model = with_lines(subject, explanation.selection.model);
+  for (const Term& term : explanation.structure)
+    model.terms.push_back({term.candidate, false, term.nonlinear, {}});
   return model;
 }
 
@@ -74,7 +85,7 @@ std::optional<NamedCause> find_undisturbed(const Search& search, const Settings&
   const Model found = with_lines(subject, explanation.selection.model);
   const Problem& problem = subject.problem();
   const Design design = evenly_banded(problem, settings);
-  const FitInTime whole(design, found);
+  const FitInTime whole(design, with_everything(subject, explanation));
   // What no known causes together explain is plainest; few of them may hide less of it.
   Disturbances seen = find_disturbances(FitInTime(design, saturated(problem, found)));
   if (!seen.in_training()) seen = find_disturbances(whole);
@@ -84,7 +95,7 @@ std::optional<NamedCause> find_undisturbed(const Search& search, const Settings&
     std::optional<FitInTime> outside;
     std::optional<Disturbances> plainer;
     Explanation other = search(rest, [&](const Explanation& e) {
-      outside.emplace(design, with_lines(rest, e.selection.model));
+      outside.emplace(design, with_everything(rest, e));
       if (left == 1) return true;
       // With causes that no push has spoilt it is plainer what is disturbed, in held-out logs too.
       Disturbances again = find_disturbances(*outside);
@@ -97,8 +108,8 @@ std::optional<NamedCause> find_undisturbed(const Search& search, const Settings&
     }
     leave_over(*outside, seen);
     std::optional<NamedCause> force =
-        find_unlogged_force({whole, numbers_of(explanation.verdict)}, numbers_of(other.verdict),
-                            seen, places_of(subject, seen), recording_names(problem), settings);
+        find_unlogged_force({whole, numbers_of(explanation)}, numbers_of(other), seen,
+                            places_of(subject, seen), recording_names(problem), settings);
     if (!force) return std::nullopt;
     subject = std::move(rest);
     explanation = std::move(other);

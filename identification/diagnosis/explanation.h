@@ -17,6 +17,8 @@ struct Explanation {
   /// Where the problem has deviations: the model the verdict's errors and gains stand for, with the
   /// baseline at its nominal values but for the named deviations, whose terms come last.
   Selection adopted;
+  /// Terms of what was found and has no name: in no model, but part of what the logs hold.
+  std::vector<Term> structure;
 };
 
 /// Asked once, when the selection and the causes of the library are final: false where no more than

@@ -25,9 +25,10 @@ inline constexpr double kClipped = 9.0;
 /// cheap errors hide weak delays, and measured drives, in which dear ones invent names.
 inline constexpr double kPriceOfDecade = 20.0;
 
-/// Shares of its size by which the form of a found cause may be off, one of them by evidence: what
-/// the laws of one name differ by (tests/blind/truth/axis.cpp). Not calibrated by a study.
-inline constexpr double kFormErrors[] = {0.03, 0.1, 0.3};
+/// Share of its size by which the form of what was found is off: the laws of one name differ by
+/// about that much (tests/blind/truth/axis.cpp). Of 0.03 to 0.2 the one with the fewest wrong
+/// names.
+inline constexpr double kFormError = 0.2;
 
 /// Posterior probability of a set that cannot be told apart: a definition.
 inline constexpr double kCredible = 0.95;

@@ -58,41 +58,6 @@ Entry make_entry(const Hypotheses& all, const SmallErrors& errors, int hypothesi
   return e;
 }
 
-/// Of every named entry the unnamed structure that its form is a part of: a smooth curve in
-/// position, velocity, load, time or way.
-void find_kin(const Hypotheses& all, const SmallErrors& errors, std::vector<Entry>& entries) {
-  constexpr double kNear = 0.5;    // of the form's energy, the nearest one has
-  constexpr double kAlike = 0.02;  // of it, more than the nearest one lacks
-  struct Family {
-    std::vector<Index> columns;
-    MatrixXd inverse;
-  };
-  std::vector<Family> families;
-  for (const Entry& e : entries) {
-    const Candidate& source = *all.list[static_cast<std::size_t>(e.hypothesis)].source;
-    if (source.kind == CandidateKind::flexible && source.nonlinear.empty())
-      families.push_back({e.columns, scaled_pseudo_inverse(e.alone.gram)});
-  }
-  tbb::parallel_for(0, static_cast<int>(entries.size()), [&](int i) {
-    Entry& e = entries[static_cast<std::size_t>(i)];
-    if (!all.list[static_cast<std::size_t>(e.hypothesis)].named) return;
-    std::vector<double> near;
-    for (const Family& family : families) {
-      const MatrixXd cross = errors.gram(family.columns, e.columns);
-      near.push_back((cross.transpose() * family.inverse * cross).trace() /
-                     std::max(e.alone.gram.trace(), 1e-300));
-    }
-    const double nearest = near.empty() ? 0.0 : *std::max_element(near.begin(), near.end());
-    if (nearest < kNear) return;
-    for (std::size_t f = 0; f < families.size(); ++f) {
-      if (near[f] < nearest - kAlike) continue;
-      const auto& own = families[f].columns;
-      for (const Index column : own)
-        e.kin.push_back({column, 1.0 / static_cast<double>(own.size())});
-    }
-  });
-}
-
 }  // namespace
 
 std::vector<Entry> make_entries(const Hypotheses& all, const SmallErrors& errors,
@@ -118,7 +83,6 @@ std::vector<Entry> make_entries(const Hypotheses& all, const SmallErrors& errors
     Entry& e = entries[static_cast<std::size_t>(i)];
     e.alone.gram = errors.gram(e.columns, e.columns);
   });
-  find_kin(all, errors, entries);
   return entries;
 }
 

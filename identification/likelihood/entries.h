@@ -9,12 +9,6 @@
 
 namespace sinew::diagnosis {
 
-/// A column of structure without a name, and its share of that structure's variance.
-struct Kin {
-  Eigen::Index column = 0;
-  double share = 1.0;
-};
-
 /// One way a hypothesis enters a model: a shape, or two neighbouring ones for all between them.
 struct Entry {
   int hypothesis = 0;
@@ -22,9 +16,6 @@ struct Entry {
   std::vector<Eigen::Index> columns;
   double log_prior = 0.0;  ///< its part of its hypothesis' log prior odds
   ConditionalMoments alone;
-  /// The unnamed structure that its form is a part of: no cause has exactly the form that the
-  /// library gives it. Empty: it is no part of any.
-  std::vector<Kin> kin;
 };
 
 /// Every shape of every hypothesis, and every two neighbouring ones; of a hypothesis' prior each

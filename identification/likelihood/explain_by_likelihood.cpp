@@ -78,6 +78,16 @@ Model named_model(const Design& design, const FoundSlots& found,
   return model;
 }
 
+/// What the slots without a name hold.
+std::vector<Term> structure_of(const FoundSlots& found, const std::vector<NamedCause>& of_slot) {
+  std::vector<Term> structure;
+  const std::size_t first = found.model.terms.size() - of_slot.size();
+  for (std::size_t i = 0; i < of_slot.size(); ++i)
+    if (of_slot[i].members.empty() && !hypothesis_of(found, i).named)
+      structure.push_back(found.model.terms[first + i]);
+  return structure;
+}
+
 /// The baseline free and the causes of the library: what the motion's directions are read from.
 Selection free_selection(const Design& design, const Model& baseline, const Model& adopted) {
   Selection s;
@@ -210,6 +220,7 @@ Explanation explain_by_likelihood(const Problem& problem, const Settings& settin
   const auto found = find_slots(design, settings, baseline);
   const std::vector<NamedCause> of_slot = name_slots(*found);
   Explanation result;
+  result.structure = structure_of(*found, of_slot);
   Selection adopted;
   adopted.model = named_model(design, *found, of_slot);
   adopted.noise = own_noise(design, adopted.model);

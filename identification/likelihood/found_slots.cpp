@@ -9,6 +9,7 @@
 #include "identification/diagnosis/materiality.h"
 #include "identification/likelihood/decision_constants.h"
 #include "identification/regression/refine.h"
+#include "identification/regression/spectrum.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -20,7 +21,8 @@ using Eigen::VectorXd;
 // model.
 constexpr double kShares[] = {1e-4, 3.2e-4, 1e-3, 3.2e-3, 1e-2};
 
-// A shape is fitted where the grid's point was found; the search with it may find another one.
+// A shape is fitted where the grid's point was found; the search with it, and with the errors of
+// what was found, may find another one.
 constexpr int kRounds = 3;
 
 /// Per channel, the variance of a sample that is not material.
@@ -36,8 +38,17 @@ double evidence_of(const SmallErrors& errors, double share, const Slots& slots) 
          kPriceOfDecade * std::log10(share / kShares[0]);
 }
 
-/// Searches at every share of small errors, at the most probable one under every error of form, and
-/// goes on under the most probable of those.
+/// Slots with names alone, where they explain as much but for what their forms are off by; the
+/// search knows of nothing else then.
+Slots named_if_as_good(SlotSearch& search, Slots best) {
+  search.set_names_alone(true);
+  Slots named = search.from_rivals(search.find());
+  if (named.log_posterior >= (1.0 - kFormError * kFormError) * best.log_posterior) return named;
+  search.set_names_alone(false);
+  return best;
+}
+
+/// Searches at every share of small errors and goes on under the most probable one.
 void search(int most, const std::vector<bool>& banned, FoundSlots& found) {
   double best = -std::numeric_limits<double>::infinity();
   for (const double share : kShares) {
@@ -52,18 +63,24 @@ void search(int most, const std::vector<bool>& banned, FoundSlots& found) {
     found.errors = std::move(errors);
     found.slots = std::move(slots);
   }
-  found.form_error = kFormErrors[0];
-  for (const double form_error : kFormErrors) {
-    found.search->set_form_error(form_error);
-    Slots slots = found.search->from_rivals(found.search->find());
-    const double evidence = evidence_of(*found.errors, found.small_errors, slots);
-    if (evidence < best) continue;
-    best = evidence;
-    found.form_error = form_error;
-    found.slots = std::move(slots);
-  }
-  found.search->set_form_error(found.form_error);
+  found.slots = found.search->from_rivals(found.slots);
+  found.slots = named_if_as_good(*found.search, std::move(found.slots));
   found.slots = found.search->with_names(found.slots);
+  if (getenv("SINEW_DEBUG")) {
+    fprintf(stderr, "DBG small %g\n", found.small_errors);
+    for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {
+      const auto& h =
+          found.all
+              .list[(size_t)found.search->entries()[(size_t)found.slots.entries[i]].hypothesis];
+      fprintf(stderr, "DBG slot %s\n", h.source->name.c_str());
+      int n = 0;
+      for (const auto& r : found.search->rivals(found.slots, i)) {
+        if (++n > 6) break;
+        fprintf(stderr, "DBG     rival %s %.1f\n",
+                found.all.list[(size_t)r.hypothesis].source->name.c_str(), r.log_odds);
+      }
+    }
+  }
 }
 
 double coordinate(const NonlinearParameter& range, double value) {
@@ -155,6 +172,46 @@ bool ban_impossible(const Design& design, const FoundSlots& found, std::vector<b
   return any;
 }
 
+/// What the found slots say of a segment, in the band; empty where none acts.
+VectorXd found_part(const FoundSlots& found, const LinearFit& fit, std::size_t segment) {
+  const std::vector<Index> first = first_columns(found.model);
+  VectorXd sum;
+  for (std::size_t t = found.model.terms.size() - found.slots.entries.size();
+       t < found.model.terms.size(); ++t) {
+    const Eigen::MatrixXd& columns = found.model.terms[t].columns[segment];
+    if (columns.cols() == 0) continue;
+    const VectorXd own = columns * fit.coefficients.segment(first[t], columns.cols());
+    sum = sum.size() == 0 ? own : VectorXd(sum + own);
+  }
+  return sum;
+}
+
+/// What the form of the found part is off by, as the variance of every row: near the frequencies
+/// where it is large.
+VectorXd form_error_variance(const VectorXd& found_part) {
+  constexpr Index least = 4;     // bins
+  constexpr double width = 0.3;  // of the frequency
+  const VectorXd energy = bin_energy(found_part);
+  return per_row(0.5 * kFormError * kFormError *
+                 smooth_ratio(energy, VectorXd::Ones(energy.size()), least, width));
+}
+
+/// Rows count for less where what was found is large.
+void add_form_errors(const Whitening& noise_alone, FoundSlots& found) {
+  found.whitening = noise_alone;
+  if (found.slots.entries.empty()) return;
+  const LinearFit fit = solve(stack(found.model, noise_alone.training));
+  for (Weights* weights : {&found.whitening.training, &found.whitening.held_out})
+    for (std::size_t s = 0; s < weights->size(); ++s) {
+      VectorXd& weight = (*weights)[s];
+      const VectorXd part = weight.size() == 0 ? VectorXd() : found_part(found, fit, s);
+      if (part.size() > 0)
+        weight = (weight.array().square().inverse() + form_error_variance(part).array())
+                     .rsqrt()
+                     .matrix();
+    }
+}
+
 }  // namespace
 
 std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
@@ -164,6 +221,7 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
   found->whitening = whitening_of(design, found->all,
                                   immaterial_variance(design, settings, found->all.parts.base));
   const int most = std::max(settings.most_causes, design.problem().channels);
+  const Whitening noise_alone = found->whitening;
   std::vector<bool> banned(found->all.list.size(), false);
   constexpr int most_bans = 6;
   found->moments = moments_of(design, found->all, found->whitening.training);
@@ -174,7 +232,9 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
       ++bans;
       continue;
     }
-    if (++round == kRounds || !add_fitted_shapes(design, *found)) return found;
+    const bool settled = !add_fitted_shapes(design, *found) && round > 0;
+    if (++round == kRounds || settled || found->slots.entries.empty()) return found;
+    add_form_errors(noise_alone, *found);
     found->moments = moments_of(design, found->all, found->whitening.training);
   }
 }

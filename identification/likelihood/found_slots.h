@@ -20,7 +20,6 @@ struct FoundSlots {
   Slots slots;
   Model model;                ///< the base's terms, then one term a slot, in their order
   double small_errors = 0.0;  ///< share by which everything is off
-  double form_error = 0.0;    ///< share by which the forms of what was found are off
 };
 
 /// `baseline`: as for make_hypotheses().

@@ -21,17 +21,24 @@ using Eigen::VectorXd;
 
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-// A slot's coefficients have no other prior than that they are no larger than that.
-constexpr double kLeastPrecision = 1.0 / (kLargestSize * kLargestSize);
+// Sizes of slots whose entries were exchanged settle within a few sweeps.
+constexpr int kMostSweeps = 4;
 
 // A wrong side of a limit is forgiven by chance only.
 constexpr double kStandardErrors = 2.0;
 
 constexpr std::size_t kRivals = 6;
 
-std::vector<int> without(std::vector<int> list, std::size_t at) {
-  list.erase(list.begin() + static_cast<std::ptrdiff_t>(at));
-  return list;
+Slots without(Slots slots, std::size_t at) {
+  slots.entries.erase(slots.entries.begin() + static_cast<std::ptrdiff_t>(at));
+  slots.variances.erase(slots.variances.begin() + static_cast<std::ptrdiff_t>(at));
+  return slots;
+}
+
+Slots with(Slots slots, int entry, double variance) {
+  slots.entries.push_back(entry);
+  slots.variances.push_back(variance);
+  return slots;
 }
 
 double log_sum(double a, double b) {
@@ -43,10 +50,10 @@ double log_sum(double a, double b) {
 
 /// The model with some entries.
 struct SlotSearch::Fit {
-  std::vector<Index> columns;  ///< the entries', then those of the errors of their forms
-  Index own = 0;               ///< how many are the entries'
+  std::vector<Index> columns;  ///< the entries'
   MatrixXd cross;              ///< Gram matrix of all columns with those of the model
-  MatrixXd inverse;            ///< of the model's
+  VectorXd precision;          ///< prior precision of the model's coefficients
+  MatrixXd inverse;            ///< posterior covariance of the model's coefficients
   VectorXd coefficients;
   VectorXd target;  ///< products of all columns with what is left over
 };
@@ -56,57 +63,30 @@ SlotSearch::SlotSearch(const Hypotheses& all, const SmallErrors& errors, int mos
     : all_(all),
       errors_(errors),
       most_(static_cast<std::size_t>(most)),
-      form_error_(kFormErrors[0]),
       entries_(make_entries(all, errors, banned)) {}
 
-/// Prior precision of every column of a fit; appends the columns of the errors of form. Those are
-/// in proportion to what each entry is fitted to without them.
-VectorXd SlotSearch::precisions(const std::vector<int>& entries, Fit& f) const {
-  const Index own = f.own;
-  MatrixXd gram = errors_.gram(f.columns, f.columns);
-  gram.diagonal().array() += kLeastPrecision;
-  const VectorXd plain = gram.llt().solve(VectorXd(errors_.target()(f.columns)));
-  std::vector<double> more;
-  Index first = 0;
-  for (const int i : entries) {
-    const Entry& e = entries_[static_cast<std::size_t>(i)];
-    const auto wide = static_cast<Index>(e.columns.size());
-    const double size = form_error_ * plain.segment(first, wide).norm();
-    first += wide;
-    if (size <= 0.0) continue;
-    for (const Kin& kin : e.kin) {
-      const auto at = std::find(f.columns.begin() + own, f.columns.end(), kin.column);
-      const double precision = 1.0 / (kin.share * size * size);
-      if (at == f.columns.end()) {
-        f.columns.push_back(kin.column);
-        more.push_back(precision);
-      } else {  // errors of two forms add
-        double& known = more[static_cast<std::size_t>(at - f.columns.begin() - own)];
-        known = 1.0 / (1.0 / known + 1.0 / precision);
-      }
-    }
-  }
-  VectorXd all(own + static_cast<Index>(more.size()));
-  all.head(own).setConstant(kLeastPrecision);
-  all.tail(static_cast<Index>(more.size())) =
-      VectorXd::Map(more.data(), static_cast<Index>(more.size()));
-  return all;
+/// Prior precision of the entries' columns: one over each slot's variance.
+VectorXd SlotSearch::precisions(const Slots& slots) const {
+  std::vector<double> list;
+  for (std::size_t i = 0; i < slots.entries.size(); ++i)
+    list.insert(list.end(), entries_[static_cast<std::size_t>(slots.entries[i])].columns.size(),
+                1.0 / slots.variances[i]);
+  return VectorXd::Map(list.data(), static_cast<Index>(list.size()));
 }
 
-SlotSearch::Fit SlotSearch::fit(const std::vector<int>& entries) const {
+SlotSearch::Fit SlotSearch::fit(const Slots& slots) const {
   Fit f;
-  for (const int e : entries) {
+  for (const int e : slots.entries) {
     const auto& own = entries_[static_cast<std::size_t>(e)].columns;
     f.columns.insert(f.columns.end(), own.begin(), own.end());
   }
   f.target = errors_.target();
-  f.own = static_cast<Index>(f.columns.size());
   if (f.columns.empty()) return f;
-  const VectorXd precision = precisions(entries, f);
+  f.precision = precisions(slots);
   f.cross = errors_.gram_with_all(f.columns);
   MatrixXd gram = f.cross(f.columns, Eigen::all);
-  gram.diagonal() += precision;
-  f.inverse = gram.llt().solve(MatrixXd::Identity(precision.size(), precision.size()));
+  gram.diagonal() += f.precision;
+  f.inverse = gram.llt().solve(MatrixXd::Identity(gram.rows(), gram.cols()));
   f.coefficients = f.inverse * VectorXd(errors_.target()(f.columns));
   f.target -= f.cross * f.coefficients;
   return f;
@@ -124,45 +104,13 @@ BayesFactor SlotSearch::factor(int entry, const Fit& given) const {
   constexpr double kExcited = 1e-5;
   if (m.gram.diagonal().maxCoeff() < kExcited * e.alone.gram.diagonal().maxCoeff())
     return {kNever, 0.0};
-  BayesFactor plain = bayes_factor_of(m);
-  if (plain.logarithm > 0.0 && !e.kin.empty())
-    plain.logarithm += form_error(e, given, m, plain.variance);
-  return plain;
+  return bayes_factor_of(m);
 }
 
-/// What the error of its form adds to an entry's log Bayes factor.
-double SlotSearch::form_error(const Entry& e, const Fit& given, const ConditionalMoments& m,
-                              double variance) const {
-  std::vector<Index> kin;
-  VectorXd share(static_cast<Index>(e.kin.size()));
-  for (std::size_t k = 0; k < e.kin.size(); ++k) {
-    kin.push_back(e.kin[k].column);
-    share(static_cast<Index>(k)) = e.kin[k].share;
-  }
-  MatrixXd gram = errors_.gram(kin, kin), cross = errors_.gram(kin, e.columns);
-  if (!given.columns.empty()) {
-    const MatrixXd beside = given.cross(kin, Eigen::all);
-    gram -= beside * given.inverse * beside.transpose();
-    cross -= beside * given.inverse * MatrixXd(given.cross(e.columns, Eigen::all)).transpose();
-  }
-  MatrixXd own = m.gram;
-  own.diagonal().array() += 1.0 / variance;
-  const Eigen::LLT<MatrixXd> factor(own);
-  const VectorXd fitted = factor.solve(m.target);
-  gram -= cross * factor.solve(MatrixXd(cross.transpose()));
-  const VectorXd left = VectorXd(given.target(kin)) - cross * fitted;
-  const VectorXd error = form_error_ * fitted.norm() * share.cwiseSqrt();
-  MatrixXd inner = error.asDiagonal() * gram * error.asDiagonal();
-  inner.diagonal().array() += 1.0;
-  const Eigen::LLT<MatrixXd> whole(inner);
-  const VectorXd taken = whole.matrixL().solve(VectorXd(error.cwiseProduct(left)));
-  return 0.5 * taken.squaredNorm() - MatrixXd(whole.matrixL()).diagonal().array().log().sum();
-}
-
-std::vector<double> SlotSearch::log_odds(const std::vector<int>& given) const {
+std::vector<double> SlotSearch::log_odds(const Slots& given) const {
   const Fit f = fit(given);
   std::vector<bool> taken(all_.list.size(), false);
-  for (const int g : given) {
+  for (const int g : given.entries) {
     const Candidate& held =
         *all_.list[static_cast<std::size_t>(entries_[static_cast<std::size_t>(g)].hypothesis)]
              .source;
@@ -174,7 +122,8 @@ std::vector<double> SlotSearch::log_odds(const std::vector<int>& given) const {
   std::vector<double> odds(entries_.size(), kNever);
   tbb::parallel_for(0, static_cast<int>(entries_.size()), [&](int i) {
     const Entry& e = entries_[static_cast<std::size_t>(i)];
-    if (!taken[static_cast<std::size_t>(e.hypothesis)])
+    const auto h = static_cast<std::size_t>(e.hypothesis);
+    if (!taken[h] && (all_.list[h].named || !names_alone_))
       odds[static_cast<std::size_t>(i)] = factor(i, f).logarithm + e.log_prior;
   });
   return odds;
@@ -205,11 +154,11 @@ bool SlotSearch::is_possible(int entry, const VectorXd& coefficients,
          source.possible(own, all_.shapes[static_cast<std::size_t>(e.shapes.front())].nonlinear);
 }
 
-bool SlotSearch::is_possible(const std::vector<int>& entries) const {
-  const Fit f = fit(entries);
+bool SlotSearch::is_possible(const Slots& slots) const {
+  const Fit f = fit(slots);
   const VectorXd errors = f.inverse.diagonal().cwiseMax(0.0).cwiseSqrt();
   Index first = 0;
-  for (const int e : entries) {
+  for (const int e : slots.entries) {
     const auto wide = static_cast<Index>(entries_[static_cast<std::size_t>(e)].columns.size());
     if (!is_possible(e, f.coefficients.segment(first, wide), errors.segment(first, wide)))
       return false;
@@ -218,10 +167,15 @@ bool SlotSearch::is_possible(const std::vector<int>& entries) const {
   return true;
 }
 
-/// The entry with the largest odds above 0 that leaves every slot within its limits.
-std::optional<int> SlotSearch::best_possible(const std::vector<int>& given,
-                                             const std::vector<double>& odds) const {
+/// The slots with one more entry, of the size that the data make most probable for it.
+Slots SlotSearch::sized(const Slots& given, int entry) const {
+  return with(given, entry, factor(entry, fit(given)).variance);
+}
+
+/// With the entry of the largest odds above 0 that leaves every slot within its limits.
+std::optional<Slots> SlotSearch::with_best(const Slots& given) const {
   constexpr std::size_t most_tried = 40;
+  const std::vector<double> odds = log_odds(given);
   std::vector<int> order;
   for (std::size_t e = 0; e < odds.size(); ++e)
     if (odds[e] > 0.0) order.push_back(static_cast<int>(e));
@@ -232,52 +186,41 @@ std::optional<int> SlotSearch::best_possible(const std::vector<int>& given,
   std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
                     by_odds);
   for (std::size_t k = 0; k < count; ++k) {
-    std::vector<int> more = given;
-    more.push_back(order[k]);
-    if (is_possible(more)) return order[k];
+    Slots more = sized(given, order[k]);
+    if (is_possible(more)) return more;
   }
   return std::nullopt;
 }
 
 /// Every slot given the others: its best rival, or nothing. False: nothing has changed.
-bool SlotSearch::polish(std::vector<int>& entries) const {
+bool SlotSearch::polish(Slots& slots) const {
+  constexpr double same = 1e-6;  // of a variance: it is one of a few sizes
   bool changed = false;
-  for (std::size_t i = 0; i < entries.size();) {
-    const std::vector<int> others = without(entries, i);
-    const std::optional<int> best = best_possible(others, log_odds(others));
+  for (std::size_t i = 0; i < slots.entries.size();) {
+    Slots others = without(slots, i);
+    const std::optional<Slots> best = with_best(others);
     if (!best) {
-      entries = others;
+      slots = std::move(others);
       changed = true;
       continue;
     }
-    changed |= *best != entries[i];
-    entries[i] = *best;
+    changed |= best->entries.back() != slots.entries[i] ||
+               std::abs(best->variances.back() / slots.variances[i] - 1.0) > same;
+    slots.entries[i] = best->entries.back();
+    slots.variances[i] = best->variances.back();
     ++i;
   }
   return changed;
 }
 
-Slots SlotSearch::weighed(const std::vector<int>& entries) const {
-  Slots slots;
-  slots.entries = entries;
-  if (entries.empty()) return slots;
-  Fit whole;
-  for (const int e : entries) {
-    const auto& own = entries_[static_cast<std::size_t>(e)].columns;
-    whole.columns.insert(whole.columns.end(), own.begin(), own.end());
-  }
-  whole.own = static_cast<Index>(whole.columns.size());
-  VectorXd variance = precisions(entries, whole).cwiseInverse();
-  Index first = 0;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const Entry& e = entries_[static_cast<std::size_t>(entries[i])];
-    slots.variances.push_back(factor(entries[i], fit(without(entries, i))).variance);
-    variance.segment(first, static_cast<Index>(e.columns.size()))
-        .setConstant(std::max(slots.variances[i], kSmallestSize * kSmallestSize));
-    first += static_cast<Index>(e.columns.size());
-    slots.log_posterior += e.log_prior;
-  }
-  const VectorXd size = variance.cwiseSqrt();
+/// log posterior odds of the slots together against none.
+Slots SlotSearch::weighed(Slots slots) const {
+  slots.log_posterior = 0.0;
+  if (slots.entries.empty()) return slots;
+  for (const int e : slots.entries)
+    slots.log_posterior += entries_[static_cast<std::size_t>(e)].log_prior;
+  const Fit whole = fit(slots);
+  const VectorXd size = whole.precision.cwiseInverse().cwiseSqrt();
   MatrixXd inner =
       size.asDiagonal() * errors_.gram(whole.columns, whole.columns) * size.asDiagonal();
   inner.diagonal().array() += 1.0;
@@ -289,38 +232,47 @@ Slots SlotSearch::weighed(const std::vector<int>& entries) const {
   return slots;
 }
 
-Slots SlotSearch::grown(std::vector<int> entries) const {
-  constexpr int most_sweeps = 4;
-  while (entries.size() < most_) {
-    const std::optional<int> best = best_possible(entries, log_odds(entries));
-    if (!best) break;
-    const std::size_t before = entries.size();
-    entries.push_back(*best);
-    for (int sweep = 0; sweep < most_sweeps && polish(entries); ++sweep) {
+Slots SlotSearch::grown(Slots slots) const {
+  while (slots.entries.size() < most_) {
+    std::optional<Slots> more = with_best(slots);
+    if (!more) break;
+    for (int sweep = 0; sweep < kMostSweeps && polish(*more); ++sweep) {
     }
-    if (entries.size() <= before) break;
+    const bool larger = more->entries.size() > slots.entries.size();
+    slots = std::move(*more);
+    if (!larger) break;
   }
-  return weighed(entries);
+  return weighed(std::move(slots));
 }
 
 Slots SlotSearch::find() const {
   return grown({});
 }
 
-Slots SlotSearch::from_rivals(const Slots& found) const {
-  std::vector<std::vector<int>> starts;
+/// Beginnings of other searches: a slot's best rivals in its place. Structure without a name hides
+/// the names that it explains as well: its best rivals with a name begin one each, too.
+std::vector<Slots> SlotSearch::other_starts(const Slots& found) const {
+  std::vector<Slots> starts;
   for (std::size_t i = 0; i < found.entries.size(); ++i) {
-    const std::vector<int> others = without(found.entries, i);
+    const Slots others = without(found, i);
     const int own = entries_[static_cast<std::size_t>(found.entries[i])].hypothesis;
-    std::size_t tried = 0;
+    const bool hides = !all_.list[static_cast<std::size_t>(own)].named;
+    std::size_t tried = 0, names = 0;
     for (const Rival& rival : rivals(found, i)) {
-      if (tried == kRivals || rival.log_odds <= 0.0) break;
+      if (rival.log_odds <= 0.0) break;
       if (rival.hypothesis == own) continue;
+      const bool is_name = hides && all_.list[static_cast<std::size_t>(rival.hypothesis)].named;
+      if (tried >= kRivals && !(is_name && names < kRivals)) continue;
       ++tried;
-      starts.push_back(others);
-      starts.back().push_back(rival.entry);
+      names += is_name ? 1 : 0;
+      starts.push_back(sized(others, rival.entry));
     }
   }
+  return starts;
+}
+
+Slots SlotSearch::from_rivals(const Slots& found) const {
+  const std::vector<Slots> starts = other_starts(found);
   std::vector<Slots> ends(starts.size());
   tbb::parallel_for(0, static_cast<int>(starts.size()), [&](int i) {
     const auto k = static_cast<std::size_t>(i);
@@ -352,14 +304,12 @@ std::vector<Rival> SlotSearch::ranked(const std::vector<double>& odds) const {
 }
 
 std::vector<Rival> SlotSearch::rivals(const Slots& slots, std::size_t slot) const {
-  const std::vector<int> others = without(slots.entries, slot);
+  const Slots others = without(slots, slot);
   std::vector<double> odds = log_odds(others);
   for (std::size_t e = 0; e < odds.size(); ++e) {
     // Far from the best the limits need no look.
     if (odds[e] <= 0.0) continue;
-    std::vector<int> more = others;
-    more.push_back(static_cast<int>(e));
-    if (!is_possible(more)) odds[e] = kNever;
+    if (!is_possible(sized(others, static_cast<int>(e)))) odds[e] = kNever;
   }
   return ranked(odds);
 }
@@ -370,7 +320,11 @@ std::vector<Rival> SlotSearch::credible(const Slots& slots, std::size_t slot) co
   std::size_t count = 0;
   while (count < list.size() && sum < kCredible && list[count].log_odds > 0.0)
     sum += list[count++].probability;
-  list.resize(sum < kCredible ? 0 : count);
+  if (sum < kCredible) return {};
+  // What lacks no more than the best one's own form may be off by is not ruled out either.
+  const double as_good = (1.0 - kFormError * kFormError) * list.front().log_odds;
+  while (count < list.size() && list[count].log_odds >= as_good) ++count;
+  list.resize(count);
   return list;
 }
 
@@ -382,17 +336,19 @@ Slots SlotSearch::with_names(Slots slots) const {
     const std::vector<Rival> set = credible(slots, i);
     const auto named = std::find_if(set.begin(), set.end(),
                                     [&](const Rival& r) { return is_named(r.hypothesis); });
-    if (named != set.end()) slots.entries[i] = named->entry;
+    if (named == set.end() || named->entry == slots.entries[i]) continue;
+    slots.entries[i] = named->entry;
+    slots.variances[i] = factor(named->entry, fit(without(slots, i))).variance;
   }
-  return weighed(slots.entries);
+  return weighed(std::move(slots));
 }
 
 std::vector<Rival> SlotSearch::on_top(const Slots& slots) const {
-  return ranked(log_odds(slots.entries));
+  return ranked(log_odds(slots));
 }
 
 VectorXd SlotSearch::coefficients(const Slots& slots, std::size_t slot) const {
-  const Fit f = fit(slots.entries);
+  const Fit f = fit(slots);
   Index first = 0;
   for (std::size_t i = 0; i < slot; ++i)
     first +=

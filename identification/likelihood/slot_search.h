@@ -12,7 +12,7 @@ namespace sinew::diagnosis {
 /// The hypotheses a model holds, one entry each.
 struct Slots {
   std::vector<int> entries;
-  std::vector<double> variances;  ///< prior variance of each one's coefficients
+  std::vector<double> variances;  ///< prior variance of each one's coefficients, the most probable
   double log_posterior = 0.0;     ///< log odds against the model without any
 };
 
@@ -32,8 +32,8 @@ class SlotSearch {
 
   const std::vector<Entry>& entries() const { return entries_; }
 
-  /// What the library's forms are off by, as a share of a found cause's size; kFormErrors[0] first.
-  void set_form_error(double share) { form_error_ = share; }
+  /// Whether structure without a name is left out; at first it is not.
+  void set_names_alone(bool alone) { names_alone_ = alone; }
 
   /// Grown from nothing by the best entry each, every slot exchanged for its best rival after every
   /// step.
@@ -54,26 +54,25 @@ class SlotSearch {
 
  private:
   struct Fit;
-  Fit fit(const std::vector<int>& entries) const;
-  std::vector<double> log_odds(const std::vector<int>& given) const;
+  Fit fit(const Slots& slots) const;
+  std::vector<double> log_odds(const Slots& given) const;
   BayesFactor factor(int entry, const Fit& given) const;
-  double form_error(const Entry& e, const Fit& given, const ConditionalMoments& m,
-                    double variance) const;
-  Eigen::VectorXd precisions(const std::vector<int>& entries, Fit& f) const;
-  bool is_possible(const std::vector<int>& entries) const;
+  Eigen::VectorXd precisions(const Slots& slots) const;
+  bool is_possible(const Slots& slots) const;
   bool is_possible(int entry, const Eigen::VectorXd& coefficients,
                    const Eigen::VectorXd& errors) const;
-  std::optional<int> best_possible(const std::vector<int>& given,
-                                   const std::vector<double>& odds) const;
+  Slots sized(const Slots& given, int entry) const;
+  std::optional<Slots> with_best(const Slots& given) const;
   std::vector<Rival> ranked(const std::vector<double>& odds) const;
-  bool polish(std::vector<int>& entries) const;
-  Slots grown(std::vector<int> entries) const;
-  Slots weighed(const std::vector<int>& entries) const;
+  bool polish(Slots& slots) const;
+  Slots grown(Slots slots) const;
+  std::vector<Slots> other_starts(const Slots& found) const;
+  Slots weighed(Slots slots) const;
 
   const Hypotheses& all_;
   const SmallErrors& errors_;
   std::size_t most_;
-  double form_error_;
+  bool names_alone_ = false;
   std::vector<Entry> entries_;
 };
 

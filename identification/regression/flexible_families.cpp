@@ -88,6 +88,46 @@ Candidate position_and_velocity(const FlexibleRanges& r, int axis, int channel) 
   return c;
 }
 
+/// Friction by position and load together: products of splines in both.
+Candidate position_and_load(const FlexibleRanges& r, double soft, int axis, int channel) {
+  Candidate c =
+      unnamed(CandidateKind::flexible, "position and load together x direction", axis, channel);
+  constexpr int each = 5;
+  add_coefficients(c, each * each);
+  c.columns = [r, soft, axis](const Recording& log, int, const VectorXd&) {
+    const MatrixXd a = spline_basis(log.q.col(axis), r.low, r.high, each);
+    const MatrixXd b = spline_basis(log.load.col(axis), -r.load, r.load, each);
+    const VectorXd turn = direction(log, axis, soft).matrix();
+    MatrixXd x(a.rows(), each * each);
+    for (Index i = 0; i < each; ++i)
+      for (Index k = 0; k < each; ++k)
+        x.col(i * each + k) = a.col(i).cwiseProduct(b.col(k)).cwiseProduct(turn);
+    return x;
+  };
+  return c;
+}
+
+/// A level of its own for every stroke between two reversals; of a log with more strokes than
+/// columns neighbours share one.
+Candidate stroke_by_stroke(double rest, bool by_direction, int axis, int channel) {
+  Candidate c = unnamed(CandidateKind::flexible,
+                        by_direction ? "the stroke x direction" : "the stroke", axis, channel);
+  constexpr int most = 40;
+  add_coefficients(c, most, true);
+  c.columns = [=](const Recording& log, int, const VectorXd&) {
+    const std::vector<int> strokes = stroke_numbers(log.qd.col(axis), rest);
+    const int count = strokes.empty() ? 1 : strokes.back() + 1;
+    const ArrayXd turn = direction(log, axis, rest);
+    MatrixXd x = MatrixXd::Zero(log.qd.rows(), most);
+    for (Index k = 0; k < x.rows(); ++k) {
+      const int stroke = strokes[static_cast<std::size_t>(k)];
+      x(k, count > most ? stroke * most / count : stroke) = by_direction ? turn(k) : 1.0;
+    }
+    return x;
+  };
+  return c;
+}
+
 /// Sine and cosine of any period in position, from two turns over the range to what is visible.
 Candidate any_period_in_position(const FlexibleRanges& r, int axis, int channel) {
   Candidate c = unnamed(CandidateKind::flexible, "position, periodically", axis, channel);
@@ -177,6 +217,18 @@ VectorXd way_since_reversal(const VectorXd& position, const VectorXd& velocity, 
   return way;
 }
 
+std::vector<int> stroke_numbers(const VectorXd& velocity, double rest) {
+  std::vector<int> number(static_cast<std::size_t>(velocity.size()));
+  int side = 0, stroke = 0;
+  for (Index k = 0; k < velocity.size(); ++k) {
+    const int now = velocity(k) > rest ? 1 : velocity(k) < -rest ? -1 : 0;
+    if (now != 0 && side != 0 && now != side) ++stroke;
+    if (now != 0) side = now;
+    number[static_cast<std::size_t>(k)] = stroke;
+  }
+  return number;
+}
+
 NonlinearParameter visible_periods(const FlexibleRanges& r) {
   const double reach = r.high - r.low;
   // Faster than 50 Hz at half the top speed would be out of the band.
@@ -215,6 +267,9 @@ std::vector<Candidate> flexible_families(const FlexibleRanges& r, int axis, int 
   if (!(reach > 0.0 && r.speed > 0.0)) return list;
   add("way since the last reversal x direction", true, way, 0.0, 1.0, 8);
   list.push_back(position_and_velocity(r, axis, channel));
+  if (r.load > 0.0) list.push_back(position_and_load(r, soft, axis, channel));
+  list.push_back(stroke_by_stroke(soft, false, axis, channel));
+  list.push_back(stroke_by_stroke(soft, true, axis, channel));
   list.push_back(any_period_in_position(r, axis, channel));
   list.push_back(any_swing_of_friction(r, soft, axis, channel));
   return list;

@@ -45,4 +45,8 @@ Eigen::MatrixXd spline_basis(const Eigen::VectorXd& x, double low, double high, 
 Eigen::VectorXd way_since_reversal(const Eigen::VectorXd& position, const Eigen::VectorXd& velocity,
                                    double rest);
 
+/// Of every sample the number of its stroke, from 0: one ends where the velocity has changed its
+/// sign. Speeds below `rest` turn nothing.
+std::vector<int> stroke_numbers(const Eigen::VectorXd& velocity, double rest);
+
 }  // namespace sinew::diagnosis
