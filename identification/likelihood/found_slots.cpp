@@ -23,12 +23,15 @@ constexpr double kShares[] = {1e-4, 3.2e-4, 1e-3, 3.2e-3, 1e-2};
 // A shape is fitted where the grid's point was found; the search with it may find another one.
 constexpr int kRounds = 3;
 
-/// Per channel, the variance of a sample that is not material.
+}  // namespace
+
 VectorXd immaterial_variance(const Design& design, const Settings& settings, const Model& model) {
   const ChannelSquares sums = channel_squares(design, model, even_weights(design));
   return settings.material_share * settings.material_share *
          sums.measured.cwiseQuotient(sums.samples.cwiseMax(1.0));
 }
+
+namespace {
 
 /// What two searches under different errors are compared by.
 double evidence_of(const SmallErrors& errors, double share, const Slots& slots) {
@@ -36,9 +39,9 @@ double evidence_of(const SmallErrors& errors, double share, const Slots& slots) 
          kPriceOfDecade * std::log10(share / kShares[0]);
 }
 
-/// Searches at every share of small errors, at the most probable one under every error of form, and
-/// goes on under the most probable of those.
-void search(int most, const std::vector<bool>& banned, FoundSlots& found) {
+}  // namespace
+
+void search_slots(int most, const std::vector<bool>& banned, FoundSlots& found) {
   double best = -std::numeric_limits<double>::infinity();
   for (const double share : kShares) {
     auto errors = std::make_unique<SmallErrors>(found.moments, found.all, share);
@@ -65,6 +68,8 @@ void search(int most, const std::vector<bool>& banned, FoundSlots& found) {
   found.search->set_form_error(found.form_error);
   found.slots = found.search->with_names(found.slots);
 }
+
+namespace {
 
 double coordinate(const NonlinearParameter& range, double value) {
   return range.logarithmic ? std::log(value) : value;
@@ -168,7 +173,7 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
   constexpr int most_bans = 6;
   found->moments = moments_of(design, found->all, found->whitening.training);
   for (int round = 0, bans = 0;;) {
-    search(most, banned, *found);
+    search_slots(most, banned, *found);
     fit_shapes(design, *found);
     if (bans < most_bans && ban_impossible(design, *found, banned)) {
       ++bans;

@@ -27,4 +27,13 @@ struct FoundSlots {
 std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
                                        const Model& baseline);
 
+/// Per channel, the variance of a sample that is not material.
+Eigen::VectorXd immaterial_variance(const Design& design, const Settings& settings,
+                                    const Model& model);
+
+/// Searches the moments of `found` at every share of small errors, at the most probable one under
+/// every error of form, and goes on under the most probable of those. `most`: slots at most;
+/// `banned`: of every hypothesis, whether it is left out.
+void search_slots(int most, const std::vector<bool>& banned, FoundSlots& found);
+
 }  // namespace sinew::diagnosis
