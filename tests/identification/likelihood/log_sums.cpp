@@ -33,8 +33,7 @@ ColumnSums sums_of_one(const Design& design, const Hypotheses& all, const Weight
 
 }  // namespace
 
-// Seen red with scales of one log instead of the sums' own, and with the free part taken out of
-// every log by itself. The last check plants a third defect: a log that counts twice.
+// The last check plants the defect: a log that counts twice.
 TEST_CASE("under the same whitening the logs' sums are the moments of the logs together") {
   const DriveStretches drive = drive_stretches({"viscous asymmetry"}, {1.0}, 3, 6.0, 5);
   const Problem problem = drive.problem({0, 1, 2});

@@ -53,7 +53,7 @@ TEST_CASE("a file of sums gives back every bit") {
   check_same_fleet(f.origin, "a", back.origin, "b");
 }
 
-// Seen red with the comparison of the hashes taken out.
+// Every length and every byte is a planted defect.
 TEST_CASE("a file that is cut short or changed in one bit is refused by name") {
   const TemporaryFolder folder;
   const std::string bytes = sums_bytes(small_file());
