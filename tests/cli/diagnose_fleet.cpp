@@ -131,7 +131,7 @@ TEST_CASE("sums that do not belong together are refused by name") {
   refused(fleet.add({"a.sums", "slow.sums"}), "band 60 Hz");
   refused(fleet.sinew({"diagnose", "models/slide", "--reference", "b.csv", "--sums", "a.sums"}),
           "reference logs");
-  fleet.change("models/slide/mechanism.toml", "2", "3");
+  fleet.change("models/slide/mechanism.toml", "\n", "\n# changed\n");
   refused(fleet.add({"a.sums"}), "the model");
 }
 
