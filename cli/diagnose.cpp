@@ -10,6 +10,7 @@
 #include <memory>
 #include <sstream>
 
+#include "cli/diagnose_fleet.h"
 #include "cli/logs/diagnose_rig.h"
 #include "cli/logs/driven_request.h"
 #include "cli/models/model_folder.h"
@@ -40,6 +41,8 @@ using diagnosis::Diagnosis;
 struct DiagnoseOptions {
   std::string folder, out, runtime;
   std::vector<std::string> logs, holdout, map, constants, conditions;
+  std::string summarise;
+  std::vector<std::string> sums, sums_holdout, reference;
   double band = 0.0, material = diagnosis::Settings{}.material_share;
   unsigned seed = 1;
   bool dry_run = false, json = false, quick = false, by_likelihood = false;
@@ -195,6 +198,57 @@ int run(DiagnoseOptions o) {
   return diagnosis.findings.verdict.nothing_beyond_noise() ? 0 : 1;
 }
 
+/// The log to sum is prepared as a held-out log is: the reference logs decide the columns.
+DiagnoseOptions with_reference(DiagnoseOptions o) {
+  o.holdout = o.logs;
+  if (!o.reference.empty()) o.logs = o.reference;
+  o.by_likelihood = true;
+  return o;
+}
+
+int run_fleet(const DiagnoseOptions& given) {
+  DiagnoseOptions o = with_reference(given);
+  const ModelFolder folder = open_model_folder(o.folder);
+  o.map = mapped_channels(o.folder, o.map);
+  if (rig_request(folder, o.logs, o.holdout, o.map))
+    throw std::runtime_error(o.folder +
+                             ": sums are written of a motor, a joint or an arm, whose efforts are "
+                             "logged; diagnose this model with its logs");
+  const DiagnoseRequest request = request_for(o, folder);
+  if (given.sums.empty()) return run_summarise(request, o.summarise, inputs_of(o), o.json);
+  return run_sums(request, o.sums, o.sums_holdout, o.json);
+}
+
+/// What the parser cannot say of options that go together.
+void check_options(const DiagnoseOptions& o) {
+  if (!o.sums.empty()) {
+    if (o.reference.empty()) throw CLI::RequiredError("--reference");
+    return;
+  }
+  if (o.logs.empty()) throw CLI::RequiredError("--log");
+  if (o.summarise.empty() && !o.reference.empty())
+    throw CLI::RequiresError("--reference", "--summarise or --sums");
+  if (!o.summarise.empty() && o.logs.size() != 1)
+    throw CLI::ValidationError("--log", "--summarise takes one log at a time");
+  if (o.summarise.empty() && o.out.empty()) throw CLI::RequiredError("--out");
+}
+
+void add_fleet_options(CLI::App* command, DiagnoseOptions& o) {
+  CLI::Option* summarise = command->add_option(
+      "--summarise", o.summarise, "Write the log's sums to this file instead (docs/fleets.md)");
+  CLI::Option* sums =
+      command->add_option("--sums", o.sums, "Files of sums to learn from, instead of logs");
+  command->add_option("--sums-holdout", o.sums_holdout, "Files of sums to judge on")->needs(sums);
+  command->add_option("--reference", o.reference,
+                      "Logs whose ranges decide what all sums are made of");
+  for (const char* other : {"--holdout", "--out", "--dry-run"}) {
+    summarise->excludes(other);
+    sums->excludes(other);
+  }
+  sums->excludes("--log");
+  sums->excludes(summarise);
+}
+
 }  // namespace
 
 void add_diagnose_command(CLI::App& app, int& exit_status) {
@@ -202,9 +256,9 @@ void add_diagnose_command(CLI::App& app, int& exit_status) {
       "diagnose", "Show what a model gets wrong on measured logs, name the cause, extend it");
   auto o = std::make_shared<DiagnoseOptions>();
   command->add_option("model", o->folder, "Model folder")->required();
-  command->add_option("--log", o->logs, "Logs to learn from (CSV)")->required();
+  command->add_option("--log", o->logs, "Logs to learn from (CSV)");
   command->add_option("--holdout", o->holdout, "Logs to judge on, not learnt from");
-  command->add_option("--out", o->out, "Folder for report.html and findings.json")->required();
+  command->add_option("--out", o->out, "Folder for report.html and findings.json");
   command->add_option("--map", o->map, "channel=column name [unit], or channel=#3 [unit]");
   command->add_option("--torque-constant", o->constants,
                       "joint=VALUE: effort of 1 A at the joint [N*m/A, N/A], of logged currents");
@@ -232,7 +286,11 @@ void add_diagnose_command(CLI::App& app, int& exit_status) {
                     "A first look at a part of the samples, up to 25 Hz: adopts nothing");
   command->add_flag("--dry-run", o->dry_run, "Leave the model as it is");
   command->add_flag("--json", o->json, "findings.json on standard output");
-  command->callback([o, &exit_status] { exit_status = run(*o); });
+  add_fleet_options(command, *o);
+  command->callback([o, &exit_status] {
+    check_options(*o);
+    exit_status = o->sums.empty() && o->summarise.empty() ? run(*o) : run_fleet(*o);
+  });
 }
 
 }  // namespace sinew

@@ -20,7 +20,7 @@
 #include "identification/adoption/motion_file.h"
 #include "identification/adoption/possible_terms.h"
 #include "identification/adoption/prediction.h"
-#include "identification/adoption/read_motion.h"
+#include "identification/adoption/read_subject.h"
 #include "identification/adoption/unquiet_channels.h"
 #include "identification/contacts/undisturbed.h"
 #include "identification/diagnosis/explanation.h"
@@ -30,11 +30,6 @@
 #include "identification/report/log_record.h"
 #include "identification/report/verdict_text.h"
 #include "identification/report/wording.h"
-#include "identification/subjects/channel_factors.h"
-#include "identification/subjects/common_factors.h"
-#include "identification/subjects/effort_consistency.h"
-#include "identification/subjects/lone_consistency.h"
-#include "identification/subjects/tendon_consistency.h"
 #include "symbolic/effects/effects.h"
 
 namespace sinew::diagnosis {
@@ -45,11 +40,7 @@ using Clock = std::chrono::steady_clock;
 class Run {
  public:
   explicit Run(const DiagnoseRequest& request)
-      : request_(request),
-        subject_(request.model, request.identified, request.runtime,
-                 request.mechanism
-                     ? std::make_shared<const RigidColumns>(*request.mechanism, request.runtime)
-                     : nullptr) {}
+      : request_(request), subject_(empty_subject(request)) {}
 
   Diagnosis operator()() {
     const auto start = Clock::now();
@@ -88,91 +79,11 @@ class Run {
 
   void read() {
     tell("reading the logs", 0.0);
-    std::map<std::string, double> constants = request_.torque_constants;
-    LoggedMotion logged = read_logs(request_, constants);
-    std::vector<std::string> notes = request_.notes;
-    if (const std::vector<std::string> open = open_currents(logged); !open.empty()) {
-      for (std::string& note : fit_constants(logged, request_.payloads, open, subject_, constants))
-        notes.push_back(std::move(note));
-      logged = read_logs(request_, constants);
-    }
-    for (std::size_t i = 0; i < logged.logs.size(); ++i)
-      take(logged.logs[i], logged.channels[i], i >= request_.logs.size());
-    refuse_held_out_twins(result_.findings.logs);
-    tell_missing_loads(subject_.complete_loads());
-    // Before the efforts are compared with what the model says: it may carry a load.
-    const std::vector<PayloadNote> payloads = subject_.take_payloads();
-    for (std::size_t i = 0; i < logged.logs.size(); ++i)
-      check(logged.logs[i], logged.channels[i], payloads, i >= request_.logs.size(),
-            result_.findings.logs[i]);
-    LogRecord& first = result_.findings.logs.front();
-    for (const std::string& note : notes) first.faults.push_back(first.file + ": " + note);
-  }
-
-  void take(const Log& log, const DrivenChannels& channels, bool held_out) {
-    const DrivenColumns columns = columns_in(log, channels);
-    subject_.add_log(log, columns, held_out, payload_of(request_.payloads, log.file));
-    columns_[log.file] = judged_columns(log, columns);
-    result_.findings.logs.push_back(log_record(log, held_out));
-  }
-
-  void tell_missing_loads(const std::vector<std::string>& recordings) {
-    for (LogRecord& log : result_.findings.logs)
-      if (std::any_of(recordings.begin(), recordings.end(),
-                      [&](const std::string& name) { return name.starts_with(log.file); }))
-        log.faults.push_back(log.file +
-                             ": has no column 'load', which another log has; it counts as 0");
-  }
-
-  /// Throws LogError where going on is not safe.
-  void check(const Log& log, const DrivenChannels& channels,
-             const std::vector<PayloadNote>& payloads, bool held_out, LogRecord& record) const {
-    for (const DataFault& doubt : check_columns(log, columns_in(log, channels), held_out))
-      record.faults.push_back(message(doubt));
-    for (const PayloadNote& note : payloads)
-      if (note.log == log.file) record.faults.push_back(log.file + ": " + note.text);
-  }
-
-  /// What each channel of the problem is measured by: forces of tendons stand for their joints.
-  static std::vector<LoggedColumn> judged_columns(const Log& log, const DrivenColumns& columns) {
-    std::vector<LoggedColumn> judged;
-    const auto add = [&](int index, const std::string& whole) {
-      const Channel& channel = log.channels[static_cast<std::size_t>(index)];
-      judged.push_back({whole.empty() ? channel.name : whole, channel.column,
-                        whole.empty() ? channel.quantum : 0.0});
-    };
-    const std::size_t joints = columns.positions.size() - columns.efforts.size();
-    for (std::size_t j = 0; j < joints; ++j)
-      add(columns.forces.front(),
-          "the forces' torque at " +
-              log.channels[static_cast<std::size_t>(columns.positions[j])].name);
-    for (const int effort : columns.efforts) add(effort, {});
-    return judged;
-  }
-
-  /// The model tells exchanged columns and wrong signs of coupled joints from what they lack.
-  /// Throws LogError where going on is not safe, and gives what is doubtful.
-  std::vector<DataFault> check_columns(const Log& log, const DrivenColumns& columns,
-                                       bool held_out) const {
-    const Recording* longest = nullptr;
-    for (const Recording& r : held_out ? subject_.problem().holdout : subject_.problem().training)
-      if (r.name.starts_with(log.file) && (!longest || r.time.size() > longest->time.size()))
-        longest = &r;
-    if (!longest) return {};
-    FaultList faults(log.file);
-    const DrivenModel& model = request_.model;
-    if (!model.tendons.names.empty()) {
-      judge_tendons(log, columns, *longest, model, subject_.effort(), request_.runtime, faults);
-      if (!faults.stops())
-        judge_force_factors(log, columns, *longest, model, subject_.effort(), faults);
-    } else {
-      judge_efforts(log, columns, *longest, subject_.effort(), faults);
-      if (!faults.stops()) judge_common_factors(log, columns, *longest, subject_.effort(), faults);
-      if (!faults.stops()) judge_effort_factors(log, columns, *longest, subject_.effort(), faults);
-      judge_lone_effort(log, columns, *longest, subject_.effort(), model.joints.front(), faults);
-    }
-    if (faults.stops()) throw LogError(faults.all());
-    return faults.all();
+    SubjectOfLogs read = read_subject(request_);
+    refuse_held_out_twins(read.logs);
+    subject_ = std::move(read.subject);
+    columns_ = std::move(read.columns);
+    result_.findings.logs = std::move(read.logs);
   }
 
   Explanation search() {

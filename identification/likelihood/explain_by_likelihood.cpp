@@ -9,7 +9,9 @@
 #include "identification/diagnosis/standard_errors.h"
 #include "identification/diagnosis/verdict_errors.h"
 #include "identification/likelihood/decision_constants.h"
+#include "identification/likelihood/fitted_baseline.h"
 #include "identification/likelihood/found_slots.h"
+#include "identification/likelihood/slot_verdict.h"
 #include "identification/regression/baseline.h"
 #include "identification/regression/refine.h"
 
@@ -17,19 +19,6 @@ namespace sinew::diagnosis {
 namespace {
 
 using Eigen::VectorXd;
-
-/// The model's own terms, how friction turns at a reversal among them, fitted to the logs.
-Model fitted_baseline(const Design& design) {
-  Model model = baseline_model(design);
-  for (const Candidate& candidate : design.problem().library)
-    if (candidate.nuisance && candidate.nonlinear.empty())
-      model.terms.push_back(make_term(design, candidate, {}, false));
-  Weights weights = own_noise(design, model).weights;
-  refine(design, weights, RefineScope::all_terms, model);
-  weights = own_noise(design, model).weights;
-  settle_nuisances(design, weights, model);
-  return model;
-}
 
 const Hypothesis& hypothesis_of(const FoundSlots& found, std::size_t slot) {
   return found.all.list[static_cast<std::size_t>(
@@ -115,7 +104,8 @@ Gain cross_validated_gain(const Design& design, const Settings& settings,
       settings.seed);
 }
 
-/// Slots that are sure and hold no name.
+}  // namespace
+
 void tell_unnamed(const FoundSlots& found, Unexplained& said) {
   double named = 0.0, all = 0.0;
   for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {
@@ -159,6 +149,8 @@ std::vector<NamedCause> name_slots(const FoundSlots& found) {
   for (std::size_t i = 0; i < found.slots.entries.size(); ++i) list.push_back(name_slot(found, i));
   return list;
 }
+
+namespace {
 
 void tell_baseline(const Design& design, Explanation& result) {
   const Selection& found = result.selection;

@@ -25,12 +25,15 @@ constexpr double kShares[] = {1e-4, 3.2e-4, 1e-3, 3.2e-3, 1e-2};
 // what was found, may find another one.
 constexpr int kRounds = 3;
 
-/// Per channel, the variance of a sample that is not material.
+}  // namespace
+
 VectorXd immaterial_variance(const Design& design, const Settings& settings, const Model& model) {
   const ChannelSquares sums = channel_squares(design, model, even_weights(design));
   return settings.material_share * settings.material_share *
          sums.measured.cwiseQuotient(sums.samples.cwiseMax(1.0));
 }
+
+namespace {
 
 /// What two searches under different errors are compared by.
 double evidence_of(const SmallErrors& errors, double share, const Slots& slots) {
@@ -48,8 +51,9 @@ Slots named_if_as_good(SlotSearch& search, Slots best) {
   return best;
 }
 
-/// Searches at every share of small errors and goes on under the most probable one.
-void search(int most, const std::vector<bool>& banned, FoundSlots& found) {
+}  // namespace
+
+void search_slots(int most, const std::vector<bool>& banned, FoundSlots& found) {
   double best = -std::numeric_limits<double>::infinity();
   for (const double share : kShares) {
     auto errors = std::make_unique<SmallErrors>(found.moments, found.all, share);
@@ -66,22 +70,9 @@ void search(int most, const std::vector<bool>& banned, FoundSlots& found) {
   found.slots = found.search->from_rivals(found.slots);
   found.slots = named_if_as_good(*found.search, std::move(found.slots));
   found.slots = found.search->with_names(found.slots);
-  if (getenv("SINEW_DEBUG")) {
-    fprintf(stderr, "DBG small %g\n", found.small_errors);
-    for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {
-      const auto& h =
-          found.all
-              .list[(size_t)found.search->entries()[(size_t)found.slots.entries[i]].hypothesis];
-      fprintf(stderr, "DBG slot %s\n", h.source->name.c_str());
-      int n = 0;
-      for (const auto& r : found.search->rivals(found.slots, i)) {
-        if (++n > 6) break;
-        fprintf(stderr, "DBG     rival %s %.1f\n",
-                found.all.list[(size_t)r.hypothesis].source->name.c_str(), r.log_odds);
-      }
-    }
-  }
 }
+
+namespace {
 
 double coordinate(const NonlinearParameter& range, double value) {
   return range.logarithmic ? std::log(value) : value;
@@ -226,7 +217,7 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
   constexpr int most_bans = 6;
   found->moments = moments_of(design, found->all, found->whitening.training);
   for (int round = 0, bans = 0;;) {
-    search(most, banned, *found);
+    search_slots(most, banned, *found);
     fit_shapes(design, *found);
     if (bans < most_bans && ban_impossible(design, *found, banned)) {
       ++bans;

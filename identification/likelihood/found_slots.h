@@ -26,4 +26,13 @@ struct FoundSlots {
 std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
                                        const Model& baseline);
 
+/// Per channel, the variance of a sample that is not material.
+Eigen::VectorXd immaterial_variance(const Design& design, const Settings& settings,
+                                    const Model& model);
+
+/// Searches the moments of `found` at every share of small errors and goes on under the most
+/// probable one; with names alone where they explain as much but for what their forms are off by.
+/// `most`: slots at most; `banned`: of every hypothesis, whether it is left out.
+void search_slots(int most, const std::vector<bool>& banned, FoundSlots& found);
+
 }  // namespace sinew::diagnosis

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "identification/likelihood/hypotheses.h"
+#include "identification/likelihood/column_sums.h"
 
 namespace sinew::diagnosis {
 
@@ -26,6 +26,7 @@ struct Moments {
   double rows = 0.0;      ///< independent real rows of the logs
 };
 
+Moments moments_of(const ColumnSums& sums);
 Moments moments_of(const Design& design, const Hypotheses& all, const Weights& weights);
 
 /// Moments where every hypothesis is off by chance by a share of the rms of what was measured:

@@ -96,17 +96,46 @@ std::vector<BinEnergy> bins_of(const Design& design, std::size_t s, const Vector
   return bins;
 }
 
+/// What is expected of a channel at a frequency.
+double expected_at(const ExpectedSpectra& expected, int channel, double frequency_hz) {
+  const auto c = static_cast<std::size_t>(channel);
+  return c < expected.of_channel.size() ? expected.of_channel[c].at(frequency_hz) : 1.0;
+}
+
 VectorXd weight_of(const Design& design, std::size_t s, const SmoothSpectrum& spectrum,
-                   double floor) {
+                   const ExpectedSpectra& expected, double floor) {
   const Segment& segment = design.segments()[s];
   const double floor_per_row =
       floor * static_cast<double>(segment.samples) / (2.0 * static_cast<double>(segment.bins));
   VectorXd weight(segment.bins);
-  for (Index b = 0; b < segment.bins; ++b)
-    weight(b) = 1.0 / std::sqrt(spectrum.at(segment.rate_hz * static_cast<double>(b) /
-                                            static_cast<double>(segment.samples)) +
-                                floor_per_row);
+  for (Index b = 0; b < segment.bins; ++b) {
+    const double frequency =
+        segment.rate_hz * static_cast<double>(b) / static_cast<double>(segment.samples);
+    weight(b) =
+        1.0 / std::sqrt(spectrum.at(frequency) * expected_at(expected, segment.channel, frequency) +
+                        floor_per_row);
+  }
   return per_row(weight);
+}
+
+/// One channel's spectrum, and the weights of its segments.
+void whiten(const Design& design, int channel, const std::vector<std::vector<BinEnergy>>& bins,
+            const ExpectedSpectra& expected, double floor, Whitening& whitening) {
+  std::vector<BinEnergy> own;
+  double band = 0.0;
+  for (std::size_t s = 0; s < bins.size(); ++s)
+    if (design.segments()[s].channel == channel) {
+      own.insert(own.end(), bins[s].begin(), bins[s].end());
+      band = std::max(band, design.segments()[s].filter.band_hz);
+    }
+  if (own.empty()) return;
+  for (BinEnergy& bin : own) bin.energy /= expected_at(expected, channel, bin.frequency_hz);
+  const SmoothSpectrum spectrum = fit_spectrum(own, band, expected.rows);
+  whitening.of_channel[static_cast<std::size_t>(channel)] = spectrum;
+  for (std::size_t s = 0; s < bins.size(); ++s)
+    if (design.segments()[s].channel == channel)
+      (design.segments()[s].holdout ? whitening.held_out : whitening.training)[s] =
+          weight_of(design, s, spectrum, expected, floor);
 }
 
 }  // namespace
@@ -115,7 +144,10 @@ double SmoothSpectrum::at(double frequency_hz) const {
   return std::exp(cosines_at(std::min(frequency_hz, band_hz), band_hz).dot(cosines));
 }
 
-SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz) {
+SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz, double flat_rows) {
+  // A cosine's square is a half in the mean.
+  VectorXd prior = VectorXd::Constant(kCosines + 1, 0.5 * flat_rows);
+  prior(0) = 0.0;
   SmoothSpectrum spectrum{VectorXd::Zero(kCosines + 1), band_hz};
   double energy = 1e-300, freedom = 1e-300;
   for (const BinEnergy& bin : bins) {
@@ -125,8 +157,9 @@ SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz) 
   spectrum.cosines(0) = std::log(energy / freedom);
   constexpr int most_steps = 60;
   for (int step = 0; step < most_steps; ++step) {
-    VectorXd slope = VectorXd::Zero(kCosines + 1);
-    MatrixXd curvature = 1e-9 * MatrixXd::Identity(kCosines + 1, kCosines + 1);
+    VectorXd slope = -prior.cwiseProduct(spectrum.cosines);
+    MatrixXd curvature = prior.asDiagonal();
+    curvature.diagonal().array() += 1e-9;
     for (const BinEnergy& bin : bins) {
       const VectorXd x = cosines_at(bin.frequency_hz, band_hz);
       const double ratio =
@@ -143,10 +176,12 @@ SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz) 
   return spectrum;
 }
 
-Whitening whitening_of(const Design& design, const Hypotheses& all, const VectorXd& floor) {
+Whitening whitening_of(const Design& design, const Hypotheses& all, const VectorXd& floor,
+                       const ExpectedSpectra& expected) {
   const std::vector<int> shapes = representatives(all);
   const auto count = design.segments().size();
-  Whitening whitening{even_weights(design), Weights(count)};
+  Whitening whitening{even_weights(design), Weights(count), {}};
+  whitening.of_channel.resize(static_cast<std::size_t>(design.problem().channels));
   Weights& weights = whitening.training;
   // The second fit is weighted with the first one's spectrum.
   for (int round = 0; round < 2; ++round) {
@@ -157,21 +192,8 @@ Whitening whitening_of(const Design& design, const Hypotheses& all, const Vector
       bins[s] = bins_of(design, s, all.parts.base.target[s],
                         basis_of(saturated(all, shapes, s, weights[s])), weights[s]);
     });
-    for (int channel = 0; channel < design.problem().channels; ++channel) {
-      std::vector<BinEnergy> own;
-      double band = 0.0;
-      for (std::size_t s = 0; s < count; ++s)
-        if (design.segments()[s].channel == channel) {
-          own.insert(own.end(), bins[s].begin(), bins[s].end());
-          band = std::max(band, design.segments()[s].filter.band_hz);
-        }
-      if (own.empty()) continue;
-      const SmoothSpectrum spectrum = fit_spectrum(own, band);
-      for (std::size_t s = 0; s < count; ++s)
-        if (design.segments()[s].channel == channel)
-          (design.segments()[s].holdout ? whitening.held_out : weights)[s] =
-              weight_of(design, s, spectrum, floor(channel));
-    }
+    for (int channel = 0; channel < design.problem().channels; ++channel)
+      whiten(design, channel, bins, expected, floor(channel), whitening);
   }
   return whitening;
 }

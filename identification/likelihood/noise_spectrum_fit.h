@@ -26,17 +26,28 @@ struct BinEnergy {
 };
 
 /// Minimises sum of freedom log S + energy / S over the bins; energies above kClipped times the
-/// spectrum count as that much.
-SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz);
+/// spectrum count as that much. `flat_rows`: what is known of the spectrum beforehand counts as
+/// much as so many real rows of white noise; its level is always free.
+SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz,
+                            double flat_rows = 0.0);
+
+/// What is expected of the spectra of a log before it is looked at.
+struct ExpectedSpectra {
+  std::vector<SmoothSpectrum> of_channel;  ///< empty: white noise
+  double rows = 0.0;  ///< real rows that this counts as; 0: nothing is expected
+};
 
 /// What rows are multiplied with to have unit variance, empty for segments of the other logs.
 struct Whitening {
   Weights training, held_out;
+  std::vector<SmoothSpectrum> of_channel;  ///< in proportion to what was expected, where it was
 };
 
 /// From what a fit of the training logs with everything leaves over: the model, and a few shapes of
 /// every hypothesis. `floor`: per channel, the variance of a sample that is not material, which
-/// counts as noise.
-Whitening whitening_of(const Design& design, const Hypotheses& all, const Eigen::VectorXd& floor);
+/// counts as noise. The fit takes most rows of a short log at the frequencies of its motion, and
+/// without an expectation the spectrum there is a guess.
+Whitening whitening_of(const Design& design, const Hypotheses& all, const Eigen::VectorXd& floor,
+                       const ExpectedSpectra& expected = {});
 
 }  // namespace sinew::diagnosis

@@ -23,6 +23,10 @@ constexpr std::size_t log_line_bytes = std::size_t{16} << 20;
 constexpr std::size_t log_columns = 10000;
 constexpr std::uintmax_t command_table_bytes = std::uintmax_t{64} << 20;
 
+// Sums of logs (docs/fleets.md): of an arm of seven joints a few thousand columns, a hundred MB.
+constexpr std::uintmax_t sums_bytes = std::uintmax_t{2} << 30;
+constexpr std::size_t sums_columns = 20000;
+
 // Scenarios.
 constexpr double run_seconds = 86400.0;    ///< duration
 constexpr double run_rows = 1e8;           ///< duration times output rate

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/likelihood/fitted_baseline.h"
+
+#include "identification/diagnosis/select.h"
+#include "identification/regression/baseline.h"
+#include "identification/regression/refine.h"
+
+namespace sinew::diagnosis {
+
+Model fitted_baseline(const Design& design) {
+  Model model = baseline_model(design);
+  for (const Candidate& candidate : design.problem().library)
+    if (candidate.nuisance && candidate.nonlinear.empty())
+      model.terms.push_back(make_term(design, candidate, {}, false));
+  Weights weights = own_noise(design, model).weights;
+  refine(design, weights, RefineScope::all_terms, model);
+  weights = own_noise(design, model).weights;
+  settle_nuisances(design, weights, model);
+  return model;
+}
+
+std::vector<BaselineShape> shapes_of(const Problem& problem, const Model& baseline) {
+  std::vector<BaselineShape> shapes;
+  for (const Term& term : baseline.terms) {
+    const std::vector<Candidate>& list = term.baseline ? problem.baseline : problem.library;
+    shapes.push_back(
+        {!term.baseline, static_cast<std::size_t>(term.candidate - list.data()), term.nonlinear});
+  }
+  return shapes;
+}
+
+Model baseline_with(const Design& design, const std::vector<BaselineShape>& shapes) {
+  const Problem& problem = design.problem();
+  Model model;
+  model.advance.assign(design.segments().size(), 0.0);
+  for (std::size_t s = 0; s < design.segments().size(); ++s)
+    model.target.push_back(design.target(static_cast<int>(s)));
+  for (const BaselineShape& shape : shapes)
+    model.terms.push_back(make_term(
+        design,
+        shape.of_library ? problem.library[shape.candidate] : problem.baseline[shape.candidate],
+        shape.nonlinear, !shape.of_library));
+  return model;
+}
+
+}  // namespace sinew::diagnosis

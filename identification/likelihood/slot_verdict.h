@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the slots that were found say, in the words of a verdict: nothing here asks the logs.
+#pragma once
+
+#include <vector>
+
+#include "identification/diagnosis/verdict.h"
+#include "identification/likelihood/found_slots.h"
+
+namespace sinew::diagnosis {
+
+/// Of every slot the named members of its credible set, most probable first; without members where
+/// no name is among them. Parameters and gains are left open.
+std::vector<NamedCause> name_slots(const FoundSlots& found);
+
+/// Slots that are sure and hold no name.
+void tell_unnamed(const FoundSlots& found, Unexplained& said);
+
+/// Named hypotheses that no cause of the verdict has as a member, and why.
+void list_ruled_out(const FoundSlots& found, Verdict& verdict);
+
+}  // namespace sinew::diagnosis
