@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/regression/flexible_families.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -84,5 +85,31 @@ TEST_CASE("what the model asks for, by any law and by a share that changes over 
       const VectorXd left = hidden[k] - x * x.colPivHouseholderQr().solve(hidden[k]);
       CHECK((left.norm() < 0.02 * hidden[k].norm()) == (i == k));
     }
+  }
+}
+
+// Seen red with a pause that ends a stroke and with strokes that are not counted.
+TEST_CASE("a stroke ends where the velocity has changed its sign, and no pause ends one") {
+  VectorXd qd(9);
+  qd << 0.0, 1.0, 0.0, 1.0, -1.0, 0.0, -1.0, 0.01, 1.0;
+  CHECK(diagnosis::stroke_numbers(qd, 0.05) == std::vector<int>{0, 0, 0, 0, 1, 1, 1, 1, 2});
+}
+
+// Seen red with neighbours that do not share.
+TEST_CASE("every stroke has a column of its own, neighbours share one where there are too many") {
+  const diagnosis::FlexibleRanges ranges{-1.0, 1.0, 1.0, 0.0, 20.0};
+  const auto families = diagnosis::flexible_families(ranges);
+  const auto by_stroke = std::find_if(families.begin(), families.end(),
+                                      [](const auto& c) { return c.depends_on == "the stroke"; });
+  REQUIRE(by_stroke != families.end());
+  for (const int strokes : {7, 100}) {
+    diagnosis::Recording log;
+    log.qd.resize(10 * strokes, 1);
+    for (Index i = 0; i < log.qd.rows(); ++i) log.qd(i, 0) = (i / 10) % 2 == 0 ? 1.0 : -1.0;
+    const Eigen::MatrixXd x = by_stroke->columns(log, 0, VectorXd());
+    CHECK((x.rowwise().sum().array() - 1.0).abs().maxCoeff() < 1e-12);
+    const Index used = (x.colwise().sum().array() > 0.0).count();
+    CHECK(used == std::min<Index>(strokes, x.cols()));
+    CHECK(x.colwise().sum().maxCoeff() <= (strokes > x.cols() ? 30.0 : 10.0));
   }
 }

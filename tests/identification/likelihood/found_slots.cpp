@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was found is off by a share of itself, and a search of names alone.
+#include "identification/likelihood/found_slots.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "identification/likelihood/fitted_baseline.h"
+#include "tests/identification/likelihood/drive_stretches.h"
+
+namespace {
+
+using namespace sinew::test;
+
+/// The search over one simulated log of 30 s.
+struct DriveSearch {
+  DriveSearch(const std::string& effect, double size, unsigned seed)
+      : drive(drive_stretches({effect}, {size}, 1, 30.0, seed)),
+        problem(drive.problem({0})),
+        design(problem, drive.settings),
+        baseline(fitted_baseline(design)),
+        found(find_slots(design, drive.settings, baseline)) {}
+
+  bool is_named(int entry) const {
+    const Entry& e = found->search->entries()[static_cast<std::size_t>(entry)];
+    return found->all.list[static_cast<std::size_t>(e.hypothesis)].named;
+  }
+
+  DriveStretches drive;
+  Problem problem;
+  Design design;
+  Model baseline;
+  std::unique_ptr<FoundSlots> found;
+};
+
+}  // namespace
+
+// Seen red with an error of 0 and with one that every row has.
+TEST_CASE("rows count for less where what was found is large", "[slow]") {
+  const DriveSearch s("viscous asymmetry", 20.0, 41);
+  REQUIRE_FALSE(s.found->slots.entries.empty());
+  const Hypotheses all = make_hypotheses(s.design, s.baseline);
+  const Whitening noise_alone =
+      whitening_of(s.design, all, immaterial_variance(s.design, s.drive.settings, all.parts.base));
+  const Eigen::VectorXd share =
+      s.found->whitening.training.front().cwiseQuotient(noise_alone.training.front());
+  CHECK(share.maxCoeff() <= 1.0 + 1e-9);
+  // Found are a few times the motion's frequencies; towards the band's end is next to nothing.
+  CHECK(share.minCoeff() < 0.5);
+  CHECK(share.tail(share.size() / 5).mean() > 0.9);
+}
+
+// Seen red with a search that does not look at it.
+TEST_CASE("a search of names alone leaves structure out, in its rivals too", "[slow]") {
+  const DriveSearch s("bump in position", 2.0, 77);
+  SlotSearch& search = *s.found->search;
+  search.set_names_alone(false);
+  const Slots all = search.from_rivals(search.find());
+  CHECK(std::any_of(all.entries.begin(), all.entries.end(),
+                    [&](int entry) { return !s.is_named(entry); }));
+  search.set_names_alone(true);
+  const Slots named = search.from_rivals(search.find());
+  for (const int entry : named.entries) CHECK(s.is_named(entry));
+  REQUIRE_FALSE(named.entries.empty());
+  for (const Rival& rival : search.rivals(named, 0)) CHECK(s.is_named(rival.entry));
+}
