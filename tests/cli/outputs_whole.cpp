@@ -52,7 +52,11 @@ const std::vector<Command>& commands() {
           "sinew identify models/guiding --experiment guiding --log table.csv "
           "--out out/result.json --tables out/tables",
       figures = "sinew figures --chapter 4 --out out/figures --models " + source +
-                "/models --generated " + source + "/generated" + runtime;
+                "/models --generated " + source + "/generated" + runtime,
+      summarise =
+          "sinew diagnose models/motor --log run.csv --reference run.csv "
+          "--summarise out/run.sums" +
+          runtime;
   static const std::vector<Command> all{
       {"generate", generate + " --scalar float", generate, "sinew check models --out out/c"},
       {"import", import + " --gravity 0 0 0", import, "sinew cost out/arm"},
@@ -70,7 +74,11 @@ const std::vector<Command>& commands() {
       {"figures",
        "mkdir -p out/figures; echo old > out/figures/index.html; echo old > "
        "out/figures/figure_4_10.csv",
-       figures, figures}};
+       figures, figures},
+      {"summarise",
+       "mkdir -p out; echo old > out/run.sums; sinew simulate models/motor --scenario " + source +
+           "/examples/fleet/motion.toml --out run.csv" + runtime,
+       summarise, summarise}};
   return all;
 }
 
