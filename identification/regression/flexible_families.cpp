@@ -107,12 +107,13 @@ Candidate position_and_load(const FlexibleRanges& r, double soft, int axis, int 
   return c;
 }
 
-/// A level of its own for every stroke between two reversals; of a log with more strokes than
+/// A level of its own for every stroke between two reversals; where there are more strokes than
 /// columns neighbours share one.
-Candidate stroke_by_stroke(double rest, bool by_direction, int axis, int channel) {
+Candidate stroke_by_stroke(double rest, int logs, bool by_direction, int axis, int channel) {
   Candidate c = unnamed(CandidateKind::flexible,
                         by_direction ? "the stroke x direction" : "the stroke", axis, channel);
-  constexpr int most = 40;
+  constexpr int of_all_logs = 40, least = 2;
+  const int most = std::max(least, of_all_logs / std::max(1, logs));
   add_coefficients(c, most, true);
   c.columns = [=](const Recording& log, int, const VectorXd&) {
     const std::vector<int> strokes = stroke_numbers(log.qd.col(axis), rest);
@@ -268,8 +269,8 @@ std::vector<Candidate> flexible_families(const FlexibleRanges& r, int axis, int 
   add("way since the last reversal x direction", true, way, 0.0, 1.0, 8);
   list.push_back(position_and_velocity(r, axis, channel));
   if (r.load > 0.0) list.push_back(position_and_load(r, soft, axis, channel));
-  list.push_back(stroke_by_stroke(soft, false, axis, channel));
-  list.push_back(stroke_by_stroke(soft, true, axis, channel));
+  list.push_back(stroke_by_stroke(soft, r.logs, false, axis, channel));
+  list.push_back(stroke_by_stroke(soft, r.logs, true, axis, channel));
   list.push_back(any_period_in_position(r, axis, channel));
   list.push_back(any_swing_of_friction(r, soft, axis, channel));
   return list;
