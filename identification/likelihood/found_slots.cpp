@@ -223,8 +223,9 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
       ++bans;
       continue;
     }
-    const bool settled = !add_fitted_shapes(design, *found) && round > 0;
-    if (++round == kRounds || settled || found->slots.entries.empty()) return found;
+    if (++round == kRounds || found->slots.entries.empty()) return found;
+    // The first round knows nothing of the errors of what it finds.
+    if (!add_fitted_shapes(design, *found) && round > 1) return found;
     add_form_errors(noise_alone, *found);
     found->moments = moments_of(design, found->all, found->whitening.training);
   }

@@ -3,44 +3,17 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "tests/cli/program.h"
+#include "tests/cli/slide_log.h"
 
 using namespace sinew;
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* slide = R"(<robot name="slide"><link name="base"/>
-<link name="carriage"><inertial><mass value="2"/>
-<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
-<joint name="x" type="prismatic"><parent link="base"/><child link="carriage"/>
-<axis xyz="1 0 0"/><limit lower="-1" upper="1" effort="50" velocity="3"/>
-<dynamics damping="3" friction="4"/></joint></robot>)";
-
-/// Sums of sines; force of the model, and `difference` * |v| that it has not.
-std::string log_text(unsigned seed, double difference) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  const double step = 0.002, phase = 0.7 * seed;
-  std::string text = "time [s],x [m],f [N]\n";
-  for (int k = 0; k < 8000; ++k) {
-    const double t = step * k;
-    double x = 0.0, v = 0.0, a = 0.0;
-    for (const auto& [size, rate] : {std::pair{0.2, 1.9}, {0.1, 4.3}, {0.04, 9.1}}) {
-      x += size * std::sin(rate * t + phase * rate);
-      v += size * rate * std::cos(rate * t + phase * rate);
-      a -= size * rate * rate * std::sin(rate * t + phase * rate);
-    }
-    const double f = 2.0 * a + 3.0 * v + 4.0 * std::tanh(v / 0.005) + difference * std::abs(v) +
-                     0.2 * normal(random);
-    text += fmt::format("{:.4f},{:.8f},{:.6f}\n", t, x + 1e-7 * normal(random), f);
-  }
-  return text;
-}
+constexpr int kDiagnosedRows = 8000;
 
 /// Every joint of the finger to and fro by its antagonists.
 std::string finger_scenario(double phase) {
@@ -79,10 +52,10 @@ tau = { value = 5e-3, unit = "N*m" }
 
 struct Bench : Workplace {
   explicit Bench(double difference) {
-    reference::write_text(path("slide.urdf"), slide);
+    reference::write_text(path("slide.urdf"), test::slide_urdf);
     REQUIRE(sinew({"import", "slide.urdf", "--out", "models/slide"}).status == 0);
-    reference::write_text(path("train.csv"), log_text(1, difference));
-    reference::write_text(path("test.csv"), log_text(2, difference));
+    reference::write_text(path("train.csv"), test::slide_log(1, difference, kDiagnosedRows));
+    reference::write_text(path("test.csv"), test::slide_log(2, difference, kDiagnosedRows));
   }
   Ended diagnose(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments{"diagnose",  "models/slide", "--log", "train.csv",

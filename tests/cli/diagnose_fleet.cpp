@@ -1,57 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // sinew diagnose by sums of logs from the command line: a slide whose friction is stronger one way.
-#include <fmt/format.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "tests/cli/program.h"
+#include "tests/cli/slide_log.h"
 
 using namespace sinew;
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* slide = R"(<robot name="slide"><link name="base"/>
-<link name="carriage"><inertial><mass value="2"/>
-<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
-<joint name="x" type="prismatic"><parent link="base"/><child link="carriage"/>
-<axis xyz="1 0 0"/><limit lower="-1" upper="1" effort="50" velocity="3"/>
-<dynamics damping="3" friction="4"/></joint></robot>)";
-
-/// Sums of sines; force of the model, and `difference` * |v| that it has not. `sign`: of the force
-/// column.
-std::string log_text(unsigned seed, double difference, double sign = 1.0) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  const double step = 0.002, phase = 0.7 * seed;
-  std::string text = "time [s],x [m],f [N]\n";
-  for (int k = 0; k < 4000; ++k) {
-    const double t = step * k;
-    double x = 0.0, v = 0.0, a = 0.0;
-    for (const auto& [size, rate] : {std::pair{0.2, 1.9}, {0.1, 4.3}, {0.04, 9.1}}) {
-      x += size * std::sin(rate * t + phase * rate);
-      v += size * rate * std::cos(rate * t + phase * rate);
-      a -= size * rate * rate * std::sin(rate * t + phase * rate);
-    }
-    const double f = 2.0 * a + 3.0 * v + 4.0 * std::tanh(v / 0.005) + difference * std::abs(v) +
-                     0.2 * normal(random);
-    text += fmt::format("{:.4f},{:.8f},{:.6f}\n", t, x + 1e-7 * normal(random), sign * f);
-  }
-  return text;
-}
+constexpr int kSummedRows = 4000;
 
 /// Logs a, b, c of one slide.
 struct Fleet : Workplace {
   explicit Fleet(double difference) {
-    reference::write_text(path("slide.urdf"), slide);
+    reference::write_text(path("slide.urdf"), test::slide_urdf);
     REQUIRE(sinew({"import", "slide.urdf", "--out", "models/slide"}).status == 0);
     unsigned seed = 1;
     for (const char* name : {"a.csv", "b.csv", "c.csv"})
-      reference::write_text(path(name), log_text(seed++, difference));
+      reference::write_text(path(name), test::slide_log(seed++, difference, kSummedRows));
   }
   Ended summarise(const std::string& log, const std::string& out,
                   const std::vector<std::string>& more = {}) const {
@@ -138,7 +109,7 @@ TEST_CASE("sums that do not belong together are refused by name") {
 TEST_CASE(
     "a log that a diagnosis refuses is not summed, and options that go together are asked for") {
   const Fleet fleet(1.5);
-  reference::write_text(fleet.path("wrong.csv"), log_text(4, 1.5, -1.0));
+  reference::write_text(fleet.path("wrong.csv"), test::slide_log(4, 1.5, kSummedRows, -1.0));
   const Ended wrong = fleet.summarise("wrong.csv", "wrong.sums");
   INFO(wrong.output);
   CHECK(wrong.status == 2);
