@@ -121,6 +121,7 @@ class ObservedRun {
       if (segment.samples.rows() < shortest_segment(log.period)) continue;
       Recording r = request_.rig.recording(log, segment, subject_.open());
       r.name = log.segments.size() > 1 ? fmt::format("{} part {}", log.file, ++part) : log.file;
+      r.log = log.file;
       subject_.add(std::move(r), held_out);
     }
     for (const ObservedChannel& channel : request_.rig.channels) {

@@ -15,6 +15,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+const std::string& log_of(const Recording& recording) {
+  return recording.log.empty() ? recording.name : recording.log;
+}
+
 /// Whitened derivative of a term's prediction with respect to one nonlinear parameter.
 VectorXd sensitivity(const Design& design, const Term& term, Index parameter,
                      const VectorXd& coefficients, const Weights& weights, const Stack& stacked) {
@@ -85,7 +89,7 @@ std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, cons
       const double value = delay ? term.nonlinear(0) : fit.coefficients(first[t] + c);
       result[t].push_back(
           {p.name, p.unit, value, 0.0,
-           place.recording < 0 ? std::string() : design.recording(place.recording).name});
+           place.recording < 0 ? std::string() : log_of(design.recording(place.recording))});
       columns[t].push_back(first[t] + c);
     }
     const auto shapes = static_cast<Index>(delay ? 0 : term.candidate->nonlinear.size());

@@ -22,6 +22,7 @@ struct Standstill {
 /// One log, uniformly sampled. Matrices are samples x axes; unused ones stay empty. SI units.
 struct Recording {
   std::string name;
+  std::string log;       ///< the log of which this is a stretch; empty: none other is of it
   double step = 0.0;     ///< s
   Eigen::VectorXd time;  ///< s, of the log's own clock
   /// s: where the log begins of which this is a stretch; none: it is the whole log.

@@ -206,6 +206,16 @@ std::optional<VectorXd> Design::known(int segment, int derivative) const {
   return VectorXd(seen_band(segment, filtered(segment, raw, 0.0, derivative)));
 }
 
+int Design::first_of_log(int index) const {
+  const auto training = static_cast<int>(problem_.training.size());
+  const std::string& log = given(index).log;
+  const int start = index < training ? 0 : training;
+  if (log.empty()) return index;
+  for (int other = start; other < index; ++other)
+    if (given(other).log == log) return other;
+  return index;
+}
+
 std::vector<Design::Coefficient> Design::coefficients(const Candidate& candidate) const {
   std::vector<Coefficient> list;
   const int logs = static_cast<int>(problem_.training.size() + problem_.holdout.size());
@@ -214,7 +224,8 @@ std::vector<Design::Coefficient> Design::coefficients(const Candidate& candidate
       list.push_back({p, -1});
       continue;
     }
-    for (int log = 0; log < logs; ++log) list.push_back({p, log});
+    for (int log = 0; log < logs; ++log)
+      if (first_of_log(log) == log) list.push_back({p, log});
   }
   return list;
 }
@@ -242,9 +253,10 @@ MatrixXd Design::segment_columns(std::size_t i, const Candidate& candidate,
   energies.power += raw.squaredNorm() / static_cast<double>(raw.rows());
   energies.band += band.bottomRows(band.rows() - 2).squaredNorm() / windows_[i].squaredNorm();
   const std::vector<Coefficient> layout = coefficients(candidate);
+  const int log = first_of_log(s.recording);
   MatrixXd result = MatrixXd::Zero(band.rows(), static_cast<Index>(layout.size()));
   for (std::size_t c = 0; c < layout.size(); ++c)
-    if (layout[c].recording < 0 || layout[c].recording == s.recording)
+    if (layout[c].recording < 0 || layout[c].recording == log)
       result.col(static_cast<Index>(c)) = band.col(layout[c].parameter);
   return result;
 }

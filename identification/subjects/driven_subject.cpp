@@ -145,6 +145,7 @@ void DrivenSubject::add_log(const Log& log, const DrivenColumns& columns, bool h
     if (segment.samples.rows() < shortest_segment(log.period)) continue;
     Recording r;
     r.name = log.segments.size() > 1 ? fmt::format("{} part {}", log.file, ++part) : log.file;
+    r.log = log.file;
     r.step = log.period;
     const Index n = segment.samples.rows();
     r.time = VectorXd::LinSpaced(n, segment.start,

@@ -35,6 +35,7 @@ Recording slow_recording(const Recording& recording) {
   };
   const Motion motion = differentiate(recording.q, recording.step, cutoff);
   slow.name = recording.name;
+  slow.log = recording.log;
   slow.q = thinned(motion.q);
   slow.qd = thinned(motion.qd);
   slow.qdd = thinned(motion.qdd);
