@@ -98,7 +98,7 @@ class Run {
       look_at_standstills(explanation);
     }
     merge_members(explanation.verdict);
-    if (!is_explained_by_likelihood(subject_.problem(), request_.settings))
+    if (!request_.settings.by_likelihood)
       remove_nuisances(explanation.verdict);
     if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
     propose_experiments(

@@ -76,21 +76,25 @@ VectorXd left_over(const Design& design, const Model& model) {
 }
 
 /// What a term gains on held-out logs beside the rest of the model.
+WithAndWithout compared(const Design& design, const Model& model, std::size_t term,
+                        const Weights& weights) {
+  WithAndWithout m{model, model};
+  const Term& own = model.terms[term];
+  if (own.deviation >= 0 && !is_of_body(own)) {
+    m.with = m.without = hold_bodies(design, model, weights);
+    const auto before = model.terms.begin();
+    term -= static_cast<std::size_t>(
+        std::count_if(before, before + static_cast<std::ptrdiff_t>(term), is_of_body));
+  }
+  remove_term(design, term, m.without);
+  return m;
+}
+
 Gain gain_on_held_out(const Design& design, const Settings& settings, const Selection& selection,
                       std::size_t term) {
   const Weights& weights = selection.noise.weights;
-  const Term& own = selection.model.terms[term];
-  Model with = selection.model, without = with;
-  remove_term(design, term, without);
-  if (own.deviation >= 0 && !is_of_body(own)) {
-    with = hold_bodies(design, with, weights);
-    const auto before = selection.model.terms.begin();
-    const auto place = before + static_cast<std::ptrdiff_t>(term);
-    without = with;
-    remove_term(design, term - static_cast<std::size_t>(std::count_if(before, place, is_of_body)),
-                without);
-  }
-  const VectorXd channels = channels_of(design, own);
+  const auto [with, without] = compared(design, selection.model, term, weights);
+  const VectorXd channels = channels_of(design, selection.model.terms[term]);
   const BlockLosses before = held_out_losses(design, settings, without, weights);
   const BlockLosses after = held_out_losses(design, settings, with, weights);
   return block_bootstrap_gain(before.plain * channels, after.plain * channels, 0.95, settings.seed);

@@ -11,8 +11,15 @@ namespace sinew::diagnosis {
 /// alike.
 Eigen::VectorXd left_over(const Design& design, const Model& model);
 
-/// What a term gains on held-out logs beside the rest of the model. Beside a value of the model
-/// itself bodies are held (held_bodies.h).
+/// A model with a term and without it, so that what the term explains is not taken over: beside a
+/// value of the model itself bodies are held (held_bodies.h).
+struct WithAndWithout {
+  Model with, without;
+};
+WithAndWithout compared(const Design& design, const Model& model, std::size_t term,
+                        const Weights& weights);
+
+/// What a term gains on held-out logs beside the rest of the model, compared so.
 Gain gain_on_held_out(const Design& design, const Settings& settings, const Selection& selection,
                       std::size_t term);
 

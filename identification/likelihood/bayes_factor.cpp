@@ -40,17 +40,36 @@ bool is_limited(double low, double high) {
 }
 
 /// What the limits change: probability between them after the data over that before.
-double limits_factor(const ConditionalMoments& m, const MatrixXd& axes, const VectorXd& shrunk,
-                     const VectorXd& rotated, double variance) {
-  double sum = 0.0;
-  for (Index i = 0; i < m.low.size(); ++i) {
-    if (!is_limited(m.low(i), m.high(i))) continue;
-    const double mean = axes.row(i).dot(shrunk.cwiseProduct(rotated));
-    const double spread = std::sqrt(axes.row(i).cwiseAbs2().dot(shrunk));
-    sum += log_probability_between(m.low(i), m.high(i), mean, spread) -
-           log_probability_between(m.low(i), m.high(i), 0.0, std::sqrt(variance));
+double limits_factor(double low, double high, double mean, double spread, double prior) {
+  if (!is_limited(low, high)) return 0.0;
+  return log_probability_between(low, high, mean, spread) -
+         log_probability_between(low, high, 0.0, prior);
+}
+
+/// Everything on the axes of the Gram matrix. `Size`: number of columns where it is known
+/// beforehand: most entries have one or two, and small matrices of fixed size need no heap.
+template <int Size>
+BayesFactor average_over_sizes(const ConditionalMoments& m) {
+  using Vector = Eigen::Matrix<double, Size, 1>;
+  using Matrix = Eigen::Matrix<double, Size, Size>;
+  static const std::vector<double> sizes = variances();
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(Matrix(m.gram));
+  const Vector d = eigen.eigenvalues().cwiseMax(0.0);
+  const Matrix axes = eigen.eigenvectors();
+  const Vector u = axes.transpose() * Vector(m.target);
+  BayesFactor best{-kInfinity, 0.0};
+  Eigen::Matrix<double, kSizes, 1> all;
+  for (int k = 0; k < kSizes; ++k) {
+    const double v = sizes[static_cast<std::size_t>(k)];
+    const Vector shrunk = (v / (1.0 + v * d.array())).matrix();
+    all(k) = 0.5 * u.cwiseAbs2().dot(shrunk) - 0.5 * (1.0 + v * d.array()).log().sum();
+    for (Index i = 0; i < m.low.size(); ++i)
+      all(k) += limits_factor(m.low(i), m.high(i), axes.row(i) * shrunk.cwiseProduct(u),
+                              std::sqrt(axes.row(i).cwiseAbs2() * shrunk), std::sqrt(v));
+    if (all(k) > best.logarithm) best = {all(k), v};
   }
-  return sum;
+  best.logarithm += std::log((all.array() - best.logarithm).exp().mean());
+  return best;
 }
 
 }  // namespace
@@ -72,32 +91,14 @@ double log_probability_between(double low, double high, double mean, double devi
 }
 
 BayesFactor bayes_factor_of(const ConditionalMoments& m) {
-  static const std::vector<double> sizes = variances();
-  VectorXd d;
-  MatrixXd axes;
-  if (m.target.size() == 1) {
-    d = m.gram.diagonal();
-    axes = MatrixXd::Ones(1, 1);
-  } else {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(m.gram);
-    d = eigen.eigenvalues();
-    axes = eigen.eigenvectors();
+  switch (m.target.size()) {
+    case 1:
+      return average_over_sizes<1>(m);
+    case 2:
+      return average_over_sizes<2>(m);
+    default:
+      return average_over_sizes<Eigen::Dynamic>(m);
   }
-  d = d.cwiseMax(0.0);
-  const VectorXd u = axes.transpose() * m.target;
-  BayesFactor best{-kInfinity, 0.0};
-  VectorXd all(kSizes);
-  for (int i = 0; i < kSizes; ++i) {
-    const double v = sizes[static_cast<std::size_t>(i)];
-    const VectorXd shrunk = (v / (1.0 + v * d.array())).matrix();
-    const double gained = 0.5 * u.cwiseAbs2().dot(shrunk) -
-                          0.5 * (1.0 + v * d.array()).log().sum() +
-                          limits_factor(m, axes, shrunk, u, v);
-    all(i) = gained;
-    if (gained > best.logarithm) best = {gained, v};
-  }
-  best.logarithm += std::log((all.array() - best.logarithm).exp().mean());
-  return best;
 }
 
 }  // namespace sinew::diagnosis

@@ -3,6 +3,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
@@ -14,7 +15,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kAtOnce = 4;  // segments whose rows are in memory together
+constexpr std::size_t kAtOnce = 4;   // blocks whose rows are in memory together
+constexpr Index kRowsAtOnce = 1024;  // of each
 
 Index width_of(const BandColumns& columns) {
   for (const MatrixXd& part : columns)
@@ -42,7 +44,19 @@ ActingColumns acting_columns(const Hypotheses& all, const ColumnSums& sums, std:
   return acting;
 }
 
-/// One segment's products, the lower half.
+/// Segments whose rows are whitened together: one, or those that share their noise.
+struct Block {
+  std::vector<std::size_t> segments;
+  const SharedNoise* shared = nullptr;
+};
+
+/// Weighted rows of a block's segments: [from, from + count) of each, one segment below the other.
+struct Rows {
+  MatrixXd x;
+  VectorXd y;
+};
+
+/// One block's products, the lower half.
 struct Products {
   std::vector<Index> at;
   MatrixXd gram;
@@ -50,20 +64,85 @@ struct Products {
   double deviance = 0.0, rows = 0.0;
 };
 
-Products products_of(const Hypotheses& all, const ColumnSums& sums, const VectorXd& weight,
-                     std::size_t segment) {
-  ActingColumns acting = acting_columns(all, sums, segment);
-  const auto wide = static_cast<Index>(acting.at.size());
-  MatrixXd x(weight.size(), wide);
-  Index place = 0;
-  for (const MatrixXd* part : acting.parts) {
-    x.middleCols(place, part->cols()) = weight.asDiagonal() * *part;
-    place += part->cols();
+/// A block's rows, a few at a time.
+class BlockRows {
+ public:
+  BlockRows(const Hypotheses& all, const ColumnSums& sums, const Weights& weights,
+            const Weights& noise_share, const Block& block)
+      : all_(all), weights_(weights), noise_share_(noise_share), block_(block) {
+    for (const std::size_t s : block.segments) {
+      acting_.push_back(acting_columns(all, sums, s));
+      at_.insert(at_.end(), acting_.back().at.begin(), acting_.back().at.end());
+    }
+    std::sort(at_.begin(), at_.end());
+    at_.erase(std::unique(at_.begin(), at_.end()), at_.end());
   }
-  const VectorXd y = weight.cwiseProduct(all.parts.base.target[segment]);
-  Products p{std::move(acting.at), MatrixXd::Zero(wide, wide), x.transpose() * y, y.squaredNorm(),
-             static_cast<double>(y.size())};
-  p.gram.selfadjointView<Eigen::Lower>().rankUpdate(x.transpose());
+
+  const std::vector<Index>& at() const { return at_; }
+  Index rows() const { return weights_[block_.segments.front()].size(); }
+
+  Rows whitened(Index from, Index count) const {
+    const auto segments = static_cast<Index>(block_.segments.size());
+    Rows rows{MatrixXd::Zero(segments * count, static_cast<Index>(at_.size())),
+              VectorXd(segments * count)};
+    for (Index i = 0; i < segments; ++i) take(i, from, count, rows);
+    if (block_.shared)
+      for (Index r = 0; r < count; ++r) unmix(from + r, Eigen::seqN(r, segments, count), rows);
+    return rows;
+  }
+
+ private:
+  void take(Index i, Index from, Index count, Rows& rows) const {
+    const std::size_t s = block_.segments[static_cast<std::size_t>(i)];
+    const VectorXd weight = weights_[s].segment(from, count);
+    rows.y.segment(i * count, count) =
+        weight.cwiseProduct(all_.parts.base.target[s].segment(from, count));
+    const ActingColumns& acting = acting_[static_cast<std::size_t>(i)];
+    std::size_t place = 0;
+    for (const MatrixXd* part : acting.parts)
+      for (Index c = 0; c < part->cols(); ++c) {
+        const auto to = std::lower_bound(at_.begin(), at_.end(), acting.at[place++]);
+        rows.x.col(to - at_.begin()).segment(i * count, count) =
+            weight.cwiseProduct(part->col(c).segment(from, count));
+      }
+  }
+
+  /// Takes what the channels' noise has in common out of one row of each.
+  void unmix(Index row, const Eigen::ArithmeticSequence<Index, Index, Index>& own,
+             Rows& rows) const {
+    MatrixXd covariance = block_.shared->correlation;
+    for (Index i = 0; i < covariance.rows(); ++i) {
+      const std::size_t s = block_.segments[static_cast<std::size_t>(i)];
+      if (noise_share_.empty() || noise_share_[s].size() == 0) continue;
+      covariance.row(i) *= noise_share_[s](row);
+      covariance.col(i) *= noise_share_[s](row);
+    }
+    covariance.diagonal().setConstant(1.0 + 1e-9);
+    const Eigen::LLT<MatrixXd> factor(covariance);
+    const MatrixXd x = rows.x(own, Eigen::all);
+    rows.x(own, Eigen::all) = MatrixXd(factor.matrixL().solve(x));
+    const VectorXd y = rows.y(own);
+    rows.y(own) = VectorXd(factor.matrixL().solve(y));
+  }
+
+  const Hypotheses& all_;
+  const Weights& weights_;
+  const Weights& noise_share_;
+  const Block& block_;
+  std::vector<ActingColumns> acting_;
+  std::vector<Index> at_;
+};
+
+Products products_of(const BlockRows& block) {
+  const auto wide = static_cast<Index>(block.at().size());
+  Products p{block.at(), MatrixXd::Zero(wide, wide), VectorXd::Zero(wide)};
+  for (Index from = 0; from < block.rows(); from += kRowsAtOnce) {
+    const Rows rows = block.whitened(from, std::min(kRowsAtOnce, block.rows() - from));
+    p.gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.x.transpose());
+    p.target += rows.x.transpose() * rows.y;
+    p.deviance += rows.y.squaredNorm();
+    p.rows += static_cast<double>(rows.y.size());
+  }
   return p;
 }
 
@@ -127,22 +206,46 @@ void ColumnSums::add(const ColumnSums& other) {
   samples += other.samples;
 }
 
-ColumnSums column_sums(const Design& design, const Hypotheses& all, const Weights& weights) {
-  ColumnSums sums = no_sums(design, all);
-  std::vector<std::size_t> segments;
+namespace {
+
+/// Segments that have weights, those together that share their noise.
+std::vector<Block> blocks_of(const Weights& weights, const std::vector<SharedNoise>& shared) {
+  std::vector<Block> blocks;
+  std::vector<bool> taken(weights.size(), false);
+  for (const SharedNoise& group : shared) {
+    blocks.push_back({group.segments, &group});
+    for (const std::size_t s : group.segments) taken[s] = true;
+  }
   for (std::size_t s = 0; s < weights.size(); ++s)
-    if (weights[s].size() > 0) segments.push_back(s);
+    if (weights[s].size() > 0 && !taken[s]) blocks.push_back({{s}, nullptr});
+  return blocks;
+}
+
+ColumnSums summed(const Design& design, const Hypotheses& all, const Weights& weights,
+                  const Weights& noise_share, const std::vector<Block>& blocks) {
+  ColumnSums sums = no_sums(design, all);
   // Added in their order, whichever is ready first: a sum's last bit depends on it.
-  for (std::size_t from = 0; from < segments.size(); from += kAtOnce) {
-    std::vector<Products> part(std::min(kAtOnce, segments.size() - from));
+  for (std::size_t from = 0; from < blocks.size(); from += kAtOnce) {
+    std::vector<Products> part(std::min(kAtOnce, blocks.size() - from));
     tbb::parallel_for(std::size_t{0}, part.size(), [&](std::size_t i) {
-      const std::size_t s = segments[from + i];
-      part[i] = products_of(all, sums, weights[s], s);
+      part[i] = products_of(BlockRows(all, sums, weights, noise_share, blocks[from + i]));
     });
     for (const Products& p : part) add_products(p, sums);
   }
-  for (const std::size_t s : segments) add_energies(design, all, s, sums);
+  for (std::size_t s = 0; s < weights.size(); ++s)
+    if (weights[s].size() > 0) add_energies(design, all, s, sums);
   return sums;
+}
+
+}  // namespace
+
+ColumnSums column_sums(const Design& design, const Hypotheses& all, const Weights& weights) {
+  return summed(design, all, weights, {}, blocks_of(weights, {}));
+}
+
+ColumnSums column_sums(const Design& design, const Hypotheses& all, const Whitening& whitening) {
+  return summed(design, all, whitening.training, whitening.noise_share,
+                blocks_of(whitening.training, whitening.shared));
 }
 
 }  // namespace sinew::diagnosis

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "identification/likelihood/hypotheses.h"
+#include "identification/likelihood/noise_spectrum_fit.h"
 
 namespace sinew::diagnosis {
 
@@ -28,7 +29,11 @@ struct ColumnSums {
   void add(const ColumnSums& other);
 };
 
-/// Of the segments that have weights. `all.shapes` hold their columns.
+/// Of the training segments, each row whitened, what channels share of their noise as well.
+/// `all.shapes` hold their columns.
+ColumnSums column_sums(const Design& design, const Hypotheses& all, const Whitening& whitening);
+
+/// Of the segments that have weights, each by itself.
 ColumnSums column_sums(const Design& design, const Hypotheses& all, const Weights& weights);
 
 }  // namespace sinew::diagnosis

@@ -27,8 +27,8 @@ inline constexpr double kPriceOfDecade = 20.0;
 
 /// Share of its size by which the form of what was found is off: the laws of one name differ by
 /// about that much (tests/blind/truth/axis.cpp). Of 0.03, 0.1 and 0.2 the one with the fewest wrong
-/// names on 132 trials of development's seeds (tests/blind/study/run_study.py); larger ones were not
-/// tried.
+/// names on 132 trials of development's seeds (tests/blind/study/run_study.py); larger ones were
+/// not tried.
 inline constexpr double kFormError = 0.2;
 
 /// Posterior probability of a set that cannot be told apart: a definition.

@@ -6,13 +6,8 @@
 
 namespace sinew::diagnosis {
 
-bool is_explained_by_likelihood(const Problem& problem, const Settings& settings) {
-  return settings.by_likelihood && problem.noise_groups.empty();
-}
-
 Explanation explain(const Problem& problem, const Settings& settings, const IsWanted& is_wanted) {
-  if (!is_explained_by_likelihood(problem, settings))
-    return explain_by_rules(problem, settings, is_wanted);
+  if (!settings.by_likelihood) return explain_by_rules(problem, settings, is_wanted);
   Explanation explanation = explain_by_likelihood(problem, settings);
   if (is_wanted) is_wanted(explanation);
   return explanation;

@@ -7,16 +7,11 @@
 namespace sinew::diagnosis {
 
 /// Names what the baseline leaves over, by the rules (explain_by_rules.h) or, where the settings
-/// ask for it, by one likelihood (explain_by_likelihood.h). Channels that share their noise, as the
-/// joints of a finger whose forces are logged, are always explained by the rules: the likelihood
-/// does not know the spectral matrix of such channels. What would settle its sets is proposed
+/// ask for it, by one likelihood (explain_by_likelihood.h). What would settle its sets is proposed
 /// afterwards (propose_experiments, diagnosis/separation.h). Deterministic for given settings.
 /// Throws std::invalid_argument where no log is long enough. `is_wanted`: whether more than the
 /// selection is (explanation.h); the likelihood has all of it at once.
 Explanation explain(const Problem& problem, const Settings& settings,
                     const IsWanted& is_wanted = {});
-
-/// Which of the two it is.
-bool is_explained_by_likelihood(const Problem& problem, const Settings& settings);
 
 }  // namespace sinew::diagnosis

@@ -94,14 +94,12 @@ Selection free_selection(const Design& design, const Model& baseline, const Mode
 
 Gain cross_validated_gain(const Design& design, const Settings& settings,
                           const Selection& selection, std::size_t term) {
-  Model without = selection.model;
-  remove_term(design, term, without);
-  const VectorXd channels = channels_of(design, selection.model.terms[term]);
   const Weights& weights = selection.noise.weights;
+  const auto [with, without] = compared(design, selection.model, term, weights);
+  const VectorXd channels = channels_of(design, selection.model.terms[term]);
   return block_bootstrap_gain(
       cross_validate(design, without, weights, settings.blocks).plain * channels,
-      cross_validate(design, selection.model, weights, settings.blocks).plain * channels, 0.95,
-      settings.seed);
+      cross_validate(design, with, weights, settings.blocks).plain * channels, 0.95, settings.seed);
 }
 
 }  // namespace
@@ -171,8 +169,8 @@ struct Measured {
 
 /// The whitened error on the held-out logs with a term and without it.
 Gain confirmed_gain(const Measured& m, std::size_t term) {
-  Model without = m.adopted.model;
-  remove_term(m.design, term, without);
+  const auto [with, without] =
+      compared(m.design, m.adopted.model, term, m.found.whitening.training);
   const VectorXd channels = channels_of(m.design, m.adopted.model.terms[term]);
   const auto losses = [&](const Model& model) {
     const LinearFit fit = solve(stack(model, m.found.whitening.training));
@@ -180,7 +178,7 @@ Gain confirmed_gain(const Measured& m, std::size_t term) {
         held_out(m.design, model, fit, m.settings.blocks, &m.found.whitening.held_out).plain *
         channels);
   };
-  return block_bootstrap_gain(losses(without), losses(m.adopted.model), 0.95, m.settings.seed);
+  return block_bootstrap_gain(losses(without), losses(with), 0.95, m.settings.seed);
 }
 
 /// Names with what they gain, largest gain first.

@@ -115,7 +115,7 @@ ExplainedSums explain_sums(const ReferenceColumns& reference, const LogSums& tra
   e.found = std::make_unique<FoundSlots>();
   FoundSlots& found = *e.found;
   found.all = reference.hypotheses();
-  found.moments = moments_of(training.columns);
+  found.moments = moments_of(training.columns, found.all);
   const int most = std::max(reference.settings().most_causes, reference.problem().channels);
   search_slots(most, std::vector<bool>(found.all.list.size(), false), found);
   tell_causes(training, e);

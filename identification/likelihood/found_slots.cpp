@@ -55,17 +55,18 @@ Slots named_if_as_good(SlotSearch& search, Slots best) {
 
 void search_slots(int most, const std::vector<bool>& banned, FoundSlots& found) {
   double best = -std::numeric_limits<double>::infinity();
+  Slots slots;
   for (const double share : kShares) {
     auto errors = std::make_unique<SmallErrors>(found.moments, found.all, share);
     auto by = std::make_unique<SlotSearch>(found.all, *errors, most, banned);
-    Slots slots = by->find();
+    slots = share == kShares[0] ? by->find() : by->find(std::move(slots));
     const double evidence = evidence_of(*errors, share, slots);
     if (evidence <= best) continue;
     best = evidence;
     found.small_errors = share;
     found.search = std::move(by);
     found.errors = std::move(errors);
-    found.slots = std::move(slots);
+    found.slots = slots;
   }
   found.slots = found.search->from_rivals(found.slots);
   found.slots = named_if_as_good(*found.search, std::move(found.slots));
@@ -119,6 +120,8 @@ void fit_shapes(const Design& design, FoundSlots& found) {
         found.model.terms.push_back(make_term(design, *h.source, start_of(found, i), false));
     }
   if (count == 0) return;
+  for (std::size_t t = first; t < found.model.terms.size(); ++t)
+    found.model.terms[t].with_prior = true;
   refine(design, found.whitening.training, RefineScope::all_terms, found.model);
   std::vector<Term> sorted(count);
   for (std::size_t k = 0; k < count; ++k) sorted[order[k]] = found.model.terms[first + k];
@@ -170,7 +173,8 @@ VectorXd found_part(const FoundSlots& found, const LinearFit& fit, std::size_t s
   for (std::size_t t = found.model.terms.size() - found.slots.entries.size();
        t < found.model.terms.size(); ++t) {
     const Eigen::MatrixXd& columns = found.model.terms[t].columns[segment];
-    if (columns.cols() == 0) continue;
+    // A value of the model's own changes the size of what the model says, not its form.
+    if (columns.cols() == 0 || found.model.terms[t].deviation >= 0) continue;
     const VectorXd own = columns * fit.coefficients.segment(first[t], columns.cols());
     sum = sum.size() == 0 ? own : VectorXd(sum + own);
   }
@@ -190,16 +194,18 @@ VectorXd form_error_variance(const VectorXd& found_part) {
 /// Rows count for less where what was found is large.
 void add_form_errors(const Whitening& noise_alone, FoundSlots& found) {
   found.whitening = noise_alone;
+  found.whitening.noise_share.resize(noise_alone.training.size());
   if (found.slots.entries.empty()) return;
   const LinearFit fit = solve(stack(found.model, noise_alone.training));
   for (Weights* weights : {&found.whitening.training, &found.whitening.held_out})
     for (std::size_t s = 0; s < weights->size(); ++s) {
       VectorXd& weight = (*weights)[s];
       const VectorXd part = weight.size() == 0 ? VectorXd() : found_part(found, fit, s);
-      if (part.size() > 0)
-        weight = (weight.array().square().inverse() + form_error_variance(part).array())
-                     .rsqrt()
-                     .matrix();
+      if (part.size() == 0) continue;
+      const VectorXd alone = weight;
+      weight =
+          (alone.array().square().inverse() + form_error_variance(part).array()).rsqrt().matrix();
+      found.whitening.noise_share[s] = weight.cwiseQuotient(alone);
     }
 }
 
@@ -211,11 +217,13 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
   found->all = make_hypotheses(design, baseline);
   found->whitening = whitening_of(design, found->all,
                                   immaterial_variance(design, settings, found->all.parts.base));
-  const int most = std::max(settings.most_causes, design.problem().channels);
+  // A machine whose drives are not in its model lacks four values a joint, and links' besides.
+  constexpr int per_channel = 5;
+  const int most = std::max(settings.most_causes, per_channel * design.problem().channels);
   const Whitening noise_alone = found->whitening;
   std::vector<bool> banned(found->all.list.size(), false);
   constexpr int most_bans = 6;
-  found->moments = moments_of(design, found->all, found->whitening.training);
+  found->moments = moments_of(design, found->all, found->whitening);
   for (int round = 0, bans = 0;;) {
     search_slots(most, banned, *found);
     fit_shapes(design, *found);
@@ -227,7 +235,7 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
     // The first round knows nothing of the errors of what it finds.
     if (!add_fitted_shapes(design, *found) && round > 1) return found;
     add_form_errors(noise_alone, *found);
-    found->moments = moments_of(design, found->all, found->whitening.training);
+    found->moments = moments_of(design, found->all, found->whitening);
   }
 }
 

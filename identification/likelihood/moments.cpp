@@ -4,6 +4,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "identification/likelihood/decision_constants.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -17,9 +20,18 @@ VectorXd measured_rms(const ColumnSums& sums) {
   return sums.measured.cwiseQuotient(sums.samples.cwiseMax(1e-300)).cwiseSqrt().cwiseMax(1e-12);
 }
 
+/// What is known of a shape's coefficient beforehand: its standard deviation, or infinity.
+double known_spread(const Hypotheses& all, std::size_t shape, Index coefficient) {
+  const Hypothesis& h = all.list[static_cast<std::size_t>(all.shapes[shape].hypothesis)];
+  const auto& linear = h.source->linear;
+  const auto p = static_cast<std::size_t>(coefficient);
+  return p < linear.size() && linear[p].spread > 0.0 ? linear[p].spread
+                                                     : std::numeric_limits<double>::infinity();
+}
+
 /// Where each shape's columns stand; fills ranges, coefficients and scales. Gives the place of
 /// every column among the sums' columns.
-std::vector<Index> lay_out(const ColumnSums& sums, Moments& m) {
+std::vector<Index> lay_out(const ColumnSums& sums, const Hypotheses& all, Moments& m) {
   const VectorXd inverse = measured_rms(sums).cwiseAbs2().cwiseInverse();
   const VectorXd energy = sums.energy.transpose() * inverse;
   std::vector<double> scales;
@@ -29,7 +41,8 @@ std::vector<Index> lay_out(const ColumnSums& sums, Moments& m) {
     m.of_shape.push_back({static_cast<Index>(at.size()), 0});
     for (Index c = 0; c < width; ++c) {
       if (!(energy(first + c) > 0.0)) continue;
-      scales.push_back(std::sqrt(sums.acting(first + c) / energy(first + c)));
+      scales.push_back(std::min(std::sqrt(sums.acting(first + c) / energy(first + c)),
+                                known_spread(all, m.of_shape.size() - 1, c) / kLargestSize));
       at.push_back(sums.free + first + c);
       m.coefficient.push_back(static_cast<int>(c));
       ++m.of_shape.back().count;
@@ -75,9 +88,9 @@ void choose_representatives(const Moments& m, const Hypotheses& all, std::vector
 
 }  // namespace
 
-Moments moments_of(const ColumnSums& sums) {
+Moments moments_of(const ColumnSums& sums, const Hypotheses& all) {
   Moments m;
-  const std::vector<Index> at = lay_out(sums, m);
+  const std::vector<Index> at = lay_out(sums, all, m);
   const auto columns = static_cast<Index>(at.size());
   m.gram.resize(columns, columns);
   for (Index c = 0; c < columns; ++c)
@@ -92,8 +105,8 @@ Moments moments_of(const ColumnSums& sums) {
   return m;
 }
 
-Moments moments_of(const Design& design, const Hypotheses& all, const Weights& weights) {
-  return moments_of(column_sums(design, all, weights));
+Moments moments_of(const Design& design, const Hypotheses& all, const Whitening& whitening) {
+  return moments_of(column_sums(design, all, whitening), all);
 }
 
 SmallErrors::SmallErrors(const Moments& m, const Hypotheses& all, double share) : m_(m) {

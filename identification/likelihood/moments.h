@@ -11,7 +11,8 @@
 namespace sinew::diagnosis {
 
 /// Columns of length 0 are left out; each is scaled so that a coefficient of 1 has the rms of what
-/// was measured in the channels where it acts.
+/// was measured in the channels where it acts, or so that the largest size is the standard
+/// deviation that was known before any log, where that is less.
 struct Moments {
   /// Of each shape its columns here: [first, first + count).
   struct Range {
@@ -26,8 +27,8 @@ struct Moments {
   double rows = 0.0;      ///< independent real rows of the logs
 };
 
-Moments moments_of(const ColumnSums& sums);
-Moments moments_of(const Design& design, const Hypotheses& all, const Weights& weights);
+Moments moments_of(const ColumnSums& sums, const Hypotheses& all);
+Moments moments_of(const Design& design, const Hypotheses& all, const Whitening& whitening);
 
 /// Moments where every hypothesis is off by chance by a share of the rms of what was measured:
 /// its columns are noise besides. The products are those of the whitened rows under that noise.

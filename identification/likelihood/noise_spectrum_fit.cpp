@@ -6,7 +6,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 #include "identification/likelihood/decision_constants.h"
 #include "identification/regression/spectrum.h"
@@ -21,10 +24,17 @@ using Eigen::VectorXd;
 // A saturated fit leaves at least this share of the rows to the noise.
 constexpr double kRowsLeft = 0.7;
 
-VectorXd cosines_at(double frequency_hz, double band_hz) {
-  VectorXd x(kCosines + 1);
+// A slow disturbance of first order rises from its corner downwards, below what cosines over the
+// band resolve, up to the slowest that a log of some ten seconds tells from its mean.
+constexpr double kRiseBelowHz = 2.0, kRiseEndsHz = 0.3;
+
+/// The cosines and the rise towards low frequencies, which is the last.
+VectorXd basis_at(double frequency_hz, double band_hz) {
+  VectorXd x(kCosines + 2);
   for (int j = 0; j <= kCosines; ++j)
     x(j) = std::cos(std::numbers::pi * j * frequency_hz / band_hz);
+  x(kCosines + 1) = std::log1p(std::pow(kRiseBelowHz, 2) /
+                               (std::pow(frequency_hz, 2) + std::pow(kRiseEndsHz, 2)));
   return x;
 }
 
@@ -74,15 +84,19 @@ MatrixXd basis_of(const MatrixXd& x) {
               values.tail(keep).cwiseSqrt().cwiseInverse().asDiagonal());
 }
 
+/// What a fit leaves of a weighted target.
+VectorXd left_of(const VectorXd& target, const MatrixXd& basis, const VectorXd& weight) {
+  const VectorXd white = weight.cwiseProduct(target);
+  return white - basis * (basis.transpose() * white);
+}
+
 /// What is left of a segment's target, unwhitened, and what the fit took of every bin.
-std::vector<BinEnergy> bins_of(const Design& design, std::size_t s, const VectorXd& target,
+std::vector<BinEnergy> bins_of(const Design& design, std::size_t s, const VectorXd& residual,
                                const MatrixXd& basis, const VectorXd& weight) {
   const Segment& segment = design.segments()[s];
   const double share =
       design.window(static_cast<int>(s)).squaredNorm() / static_cast<double>(segment.samples);
-  const VectorXd white = weight.cwiseProduct(target);
-  const VectorXd left =
-      bin_energy(VectorXd((white - basis * (basis.transpose() * white)).cwiseQuotient(weight)));
+  const VectorXd left = bin_energy(VectorXd(residual.cwiseQuotient(weight)));
   VectorXd leverage = VectorXd::Zero(segment.bins);
   for (Index c = 0; c < basis.cols(); ++c) leverage += bin_energy(basis.col(c));
   std::vector<BinEnergy> bins;
@@ -138,63 +152,104 @@ void whiten(const Design& design, int channel, const std::vector<std::vector<Bin
           weight_of(design, s, spectrum, expected, floor);
 }
 
+/// Training segments of the same log and length whose channels share their noise, and how far the
+/// rows that a fit leaves go together.
+std::vector<SharedNoise> shared_noise(const Design& design, const std::vector<VectorXd>& left) {
+  const Problem& problem = design.problem();
+  std::vector<SharedNoise> all;
+  if (problem.noise_groups.empty()) return all;
+  std::map<std::tuple<int, int, Index>, std::vector<std::size_t>> groups;
+  for (std::size_t s = 0; s < left.size(); ++s) {
+    const Segment& segment = design.segments()[s];
+    if (left[s].size() > 0)
+      groups[{segment.recording, problem.noise_groups[static_cast<std::size_t>(segment.channel)],
+              left[s].size()}]
+          .push_back(s);
+  }
+  for (auto& [key, segments] : groups) {
+    const auto count = static_cast<Index>(segments.size());
+    if (count < 2) continue;
+    MatrixXd rows(std::get<Index>(key), count);
+    for (Index i = 0; i < count; ++i) rows.col(i) = left[segments[static_cast<std::size_t>(i)]];
+    const VectorXd size = rows.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+    all.push_back(
+        {std::move(segments), size.asDiagonal() * (rows.transpose() * rows) * size.asDiagonal()});
+  }
+  return all;
+}
+
 }  // namespace
 
 double SmoothSpectrum::at(double frequency_hz) const {
-  return std::exp(cosines_at(std::min(frequency_hz, band_hz), band_hz).dot(cosines));
+  return std::exp(basis_at(std::min(frequency_hz, band_hz), band_hz).dot(coefficients));
 }
 
-SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz, double flat_rows) {
+namespace {
+
+/// Fisher scoring of the first `count` coefficients; the others are 0.
+SmoothSpectrum scored(const std::vector<BinEnergy>& bins, double band_hz, double flat_rows,
+                      Index count) {
   // A cosine's square is a half in the mean.
-  VectorXd prior = VectorXd::Constant(kCosines + 1, 0.5 * flat_rows);
+  VectorXd prior = VectorXd::Constant(count, 0.5 * flat_rows);
   prior(0) = 0.0;
-  SmoothSpectrum spectrum{VectorXd::Zero(kCosines + 1), band_hz};
+  SmoothSpectrum spectrum{VectorXd::Zero(kCosines + 2), band_hz};
   double energy = 1e-300, freedom = 1e-300;
   for (const BinEnergy& bin : bins) {
     energy += bin.energy;
     freedom += bin.freedom;
   }
-  spectrum.cosines(0) = std::log(energy / freedom);
+  spectrum.coefficients(0) = std::log(energy / freedom);
   constexpr int most_steps = 60;
   for (int step = 0; step < most_steps; ++step) {
-    VectorXd slope = -prior.cwiseProduct(spectrum.cosines);
+    VectorXd slope = -prior.cwiseProduct(spectrum.coefficients.head(count));
     MatrixXd curvature = prior.asDiagonal();
     curvature.diagonal().array() += 1e-9;
     for (const BinEnergy& bin : bins) {
-      const VectorXd x = cosines_at(bin.frequency_hz, band_hz);
+      const VectorXd x = basis_at(bin.frequency_hz, band_hz);
       const double ratio =
-          std::min(bin.energy / std::exp(x.dot(spectrum.cosines)), kClipped * bin.freedom);
-      slope += (ratio - bin.freedom) * x;
-      curvature += bin.freedom * x * x.transpose();
+          std::min(bin.energy / std::exp(x.dot(spectrum.coefficients)), kClipped * bin.freedom);
+      slope += (ratio - bin.freedom) * x.head(count);
+      curvature += bin.freedom * x.head(count) * x.head(count).transpose();
     }
     VectorXd move = curvature.ldlt().solve(slope);
     // Fisher's steps overshoot far from the maximum.
     move *= std::min(1.0, 1.0 / std::max(1e-12, move.cwiseAbs().maxCoeff()));
-    spectrum.cosines += move;
+    spectrum.coefficients.head(count) += move;
     if (move.cwiseAbs().maxCoeff() < 1e-4) break;
   }
   return spectrum;
+}
+
+}  // namespace
+
+SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz, double flat_rows) {
+  const SmoothSpectrum rising = scored(bins, band_hz, flat_rows, kCosines + 2);
+  if (rising.coefficients(kCosines + 1) >= 0.0) return rising;
+  return scored(bins, band_hz, flat_rows, kCosines + 1);
 }
 
 Whitening whitening_of(const Design& design, const Hypotheses& all, const VectorXd& floor,
                        const ExpectedSpectra& expected) {
   const std::vector<int> shapes = representatives(all);
   const auto count = design.segments().size();
-  Whitening whitening{even_weights(design), Weights(count), {}};
+  Whitening whitening{even_weights(design), Weights(count), {}, {}, {}};
   whitening.of_channel.resize(static_cast<std::size_t>(design.problem().channels));
   Weights& weights = whitening.training;
+  std::vector<VectorXd> left(count);
   // The second fit is weighted with the first one's spectrum.
   for (int round = 0; round < 2; ++round) {
     std::vector<std::vector<BinEnergy>> bins(count);
     tbb::parallel_for(0, static_cast<int>(count), [&](int i) {
       const auto s = static_cast<std::size_t>(i);
       if (design.segments()[s].holdout) return;
-      bins[s] = bins_of(design, s, all.parts.base.target[s],
-                        basis_of(saturated(all, shapes, s, weights[s])), weights[s]);
+      const MatrixXd basis = basis_of(saturated(all, shapes, s, weights[s]));
+      left[s] = left_of(all.parts.base.target[s], basis, weights[s]);
+      bins[s] = bins_of(design, s, left[s], basis, weights[s]);
     });
     for (int channel = 0; channel < design.problem().channels; ++channel)
       whiten(design, channel, bins, expected, floor(channel), whitening);
   }
+  whitening.shared = shared_noise(design, left);
   return whitening;
 }
 

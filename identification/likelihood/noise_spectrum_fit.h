@@ -10,10 +10,12 @@
 
 namespace sinew::diagnosis {
 
-/// log S(f) = sum over j of cosines(j) cos(pi j f / band_hz); S: variance of one real row of
-/// to_band() (spectrum.h).
+/// log S(f) = sum over j <= kCosines of coefficients(j) cos(pi j f / band_hz) + the last one times
+/// a rise towards low frequencies, which is never a fall: what a sensor and its machine add does
+/// not vanish there, and where the fit takes all rows of the lowest bins nothing else says so. S:
+/// variance of one real row of to_band() (spectrum.h).
 struct SmoothSpectrum {
-  Eigen::VectorXd cosines;
+  Eigen::VectorXd coefficients;
   double band_hz = 1.0;
   double at(double frequency_hz) const;
 };
@@ -37,10 +39,21 @@ struct ExpectedSpectra {
   double rows = 0.0;  ///< real rows that this counts as; 0: nothing is expected
 };
 
+/// Segments of one log whose channels' targets are made of the same measured forces, so that a row
+/// of one shares its noise with the same row of the others.
+struct SharedNoise {
+  std::vector<std::size_t> segments;
+  Eigen::MatrixXd correlation;  ///< segments x segments, of rows of unit variance
+};
+
 /// What rows are multiplied with to have unit variance, empty for segments of the other logs.
 struct Whitening {
   Weights training, held_out;
   std::vector<SmoothSpectrum> of_channel;  ///< in proportion to what was expected, where it was
+  std::vector<SharedNoise> shared;         ///< of the training logs
+  /// Of every row that has other variance besides, the share of its standard deviation that is the
+  /// noise of `shared`; empty: all of it.
+  Weights noise_share;
 };
 
 /// From what a fit of the training logs with everything leaves over: the model, and a few shapes of

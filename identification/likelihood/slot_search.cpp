@@ -49,12 +49,17 @@ double log_sum(double a, double b) {
 }  // namespace
 
 /// The model with some entries.
-struct SlotSearch::Fit {
+struct SlotSearch::Posterior {
   std::vector<Index> columns;  ///< the entries'
-  MatrixXd cross;              ///< Gram matrix of all columns with those of the model
   VectorXd precision;          ///< prior precision of the model's coefficients
-  MatrixXd inverse;            ///< posterior covariance of the model's coefficients
+  MatrixXd lower;              ///< of the posterior precision of the model's coefficients
+  MatrixXd inverse;            ///< their posterior covariance
   VectorXd coefficients;
+};
+
+/// What the model with some entries leaves to all others.
+struct SlotSearch::Fit : Posterior {
+  MatrixXd taken;   ///< its transpose times it: what the model takes of all columns' Gram matrix
   VectorXd target;  ///< products of all columns with what is left over
 };
 
@@ -74,21 +79,28 @@ VectorXd SlotSearch::precisions(const Slots& slots) const {
   return VectorXd::Map(list.data(), static_cast<Index>(list.size()));
 }
 
-SlotSearch::Fit SlotSearch::fit(const Slots& slots) const {
-  Fit f;
+SlotSearch::Posterior SlotSearch::posterior(const Slots& slots) const {
+  Posterior p;
   for (const int e : slots.entries) {
     const auto& own = entries_[static_cast<std::size_t>(e)].columns;
-    f.columns.insert(f.columns.end(), own.begin(), own.end());
+    p.columns.insert(p.columns.end(), own.begin(), own.end());
   }
-  f.target = errors_.target();
+  p.precision = precisions(slots);
+  MatrixXd gram = errors_.gram(p.columns, p.columns);
+  gram.diagonal() += p.precision;
+  const Eigen::LLT<MatrixXd> factor(gram);
+  p.lower = factor.matrixL();
+  p.inverse = factor.solve(MatrixXd::Identity(gram.rows(), gram.cols()));
+  p.coefficients = p.inverse * VectorXd(errors_.target()(p.columns));
+  return p;
+}
+
+SlotSearch::Fit SlotSearch::fit(const Slots& slots) const {
+  Fit f{posterior(slots), {}, errors_.target()};
   if (f.columns.empty()) return f;
-  f.precision = precisions(slots);
-  f.cross = errors_.gram_with_all(f.columns);
-  MatrixXd gram = f.cross(f.columns, Eigen::all);
-  gram.diagonal() += f.precision;
-  f.inverse = gram.llt().solve(MatrixXd::Identity(gram.rows(), gram.cols()));
-  f.coefficients = f.inverse * VectorXd(errors_.target()(f.columns));
-  f.target -= f.cross * f.coefficients;
+  const MatrixXd cross = errors_.gram_with_all(f.columns);
+  f.target -= cross * f.coefficients;
+  f.taken = f.lower.triangularView<Eigen::Lower>().solve(MatrixXd(cross.transpose()));
   return f;
 }
 
@@ -96,10 +108,8 @@ BayesFactor SlotSearch::factor(int entry, const Fit& given) const {
   const Entry& e = entries_[static_cast<std::size_t>(entry)];
   ConditionalMoments m = e.alone;
   m.target = given.target(e.columns);
-  if (!given.columns.empty()) {
-    const MatrixXd cross = given.cross(e.columns, Eigen::all);
-    m.gram -= cross * given.inverse * cross.transpose();
-  }
+  if (!given.columns.empty())
+    m.gram -= given.taken(Eigen::all, e.columns).transpose() * given.taken(Eigen::all, e.columns);
   // What the model spans already has nothing to say for itself.
   constexpr double kExcited = 1e-5;
   if (m.gram.diagonal().maxCoeff() < kExcited * e.alone.gram.diagonal().maxCoeff())
@@ -107,8 +117,7 @@ BayesFactor SlotSearch::factor(int entry, const Fit& given) const {
   return bayes_factor_of(m);
 }
 
-std::vector<double> SlotSearch::log_odds(const Slots& given) const {
-  const Fit f = fit(given);
+std::vector<double> SlotSearch::log_odds(const Slots& given, const Fit& f) const {
   std::vector<bool> taken(all_.list.size(), false);
   for (const int g : given.entries) {
     const Candidate& held =
@@ -155,7 +164,7 @@ bool SlotSearch::is_possible(int entry, const VectorXd& coefficients,
 }
 
 bool SlotSearch::is_possible(const Slots& slots) const {
-  const Fit f = fit(slots);
+  const Posterior f = posterior(slots);
   const VectorXd errors = f.inverse.diagonal().cwiseMax(0.0).cwiseSqrt();
   Index first = 0;
   for (const int e : slots.entries) {
@@ -167,15 +176,17 @@ bool SlotSearch::is_possible(const Slots& slots) const {
   return true;
 }
 
-/// The slots with one more entry, of the size that the data make most probable for it.
-Slots SlotSearch::sized(const Slots& given, int entry) const {
-  return with(given, entry, factor(entry, fit(given)).variance);
+/// The slots, whose fit that is, with one more entry, of the size that the data make most probable
+/// for it.
+Slots SlotSearch::sized(const Slots& given, const Fit& f, int entry) const {
+  return with(given, entry, factor(entry, f).variance);
 }
 
 /// With the entry of the largest odds above 0 that leaves every slot within its limits.
 std::optional<Slots> SlotSearch::with_best(const Slots& given) const {
   constexpr std::size_t most_tried = 40;
-  const std::vector<double> odds = log_odds(given);
+  const Fit f = fit(given);
+  const std::vector<double> odds = log_odds(given, f);
   std::vector<int> order;
   for (std::size_t e = 0; e < odds.size(); ++e)
     if (odds[e] > 0.0) order.push_back(static_cast<int>(e));
@@ -186,7 +197,7 @@ std::optional<Slots> SlotSearch::with_best(const Slots& given) const {
   std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
                     by_odds);
   for (std::size_t k = 0; k < count; ++k) {
-    Slots more = sized(given, order[k]);
+    Slots more = sized(given, f, order[k]);
     if (is_possible(more)) return more;
   }
   return std::nullopt;
@@ -219,7 +230,7 @@ Slots SlotSearch::weighed(Slots slots) const {
   if (slots.entries.empty()) return slots;
   for (const int e : slots.entries)
     slots.log_posterior += entries_[static_cast<std::size_t>(e)].log_prior;
-  const Fit whole = fit(slots);
+  const Posterior whole = posterior(slots);
   const VectorXd size = whole.precision.cwiseInverse().cwiseSqrt();
   MatrixXd inner =
       size.asDiagonal() * errors_.gram(whole.columns, whole.columns) * size.asDiagonal();
@@ -232,12 +243,16 @@ Slots SlotSearch::weighed(Slots slots) const {
   return slots;
 }
 
+void SlotSearch::settle(Slots& slots) const {
+  for (int sweep = 0; sweep < kMostSweeps && polish(slots); ++sweep) {
+  }
+}
+
 Slots SlotSearch::grown(Slots slots) const {
   while (slots.entries.size() < most_) {
     std::optional<Slots> more = with_best(slots);
     if (!more) break;
-    for (int sweep = 0; sweep < kMostSweeps && polish(*more); ++sweep) {
-    }
+    settle(*more);
     const bool larger = more->entries.size() > slots.entries.size();
     slots = std::move(*more);
     if (!larger) break;
@@ -245,8 +260,29 @@ Slots SlotSearch::grown(Slots slots) const {
   return weighed(std::move(slots));
 }
 
+/// Every value of the model's own that has one parameter.
+Slots SlotSearch::own_values() const {
+  Slots slots;
+  for (std::size_t e = 0; e < entries_.size(); ++e) {
+    const Hypothesis& h = all_.list[static_cast<std::size_t>(entries_[e].hypothesis)];
+    if (h.candidate >= 0 || entries_[e].columns.size() != 1) continue;
+    slots =
+        with(std::move(slots), static_cast<int>(e), bayes_factor_of(entries_[e].alone).variance);
+  }
+  return slots;
+}
+
+Slots SlotSearch::find(Slots from) const {
+  settle(from);
+  return grown(std::move(from));
+}
+
 Slots SlotSearch::find() const {
-  return grown({});
+  const Slots from_nothing = grown({});
+  const Slots from_own = find(own_values());
+  const bool own_are_better = from_own.entries.size() <= most_ && is_possible(from_own) &&
+                              from_own.log_posterior > from_nothing.log_posterior + 1e-6;
+  return own_are_better ? from_own : from_nothing;
 }
 
 /// Beginnings of other searches: a slot's best rivals in its place. Structure without a name hides
@@ -255,6 +291,7 @@ std::vector<Slots> SlotSearch::other_starts(const Slots& found) const {
   std::vector<Slots> starts;
   for (std::size_t i = 0; i < found.entries.size(); ++i) {
     const Slots others = without(found, i);
+    const Fit f = fit(others);
     const int own = entries_[static_cast<std::size_t>(found.entries[i])].hypothesis;
     const bool hides = !all_.list[static_cast<std::size_t>(own)].named;
     std::size_t tried = 0, names = 0;
@@ -265,7 +302,7 @@ std::vector<Slots> SlotSearch::other_starts(const Slots& found) const {
       if (tried >= kRivals && !(is_name && names < kRivals)) continue;
       ++tried;
       names += is_name ? 1 : 0;
-      starts.push_back(sized(others, rival.entry));
+      starts.push_back(sized(others, f, rival.entry));
     }
   }
   return starts;
@@ -305,12 +342,12 @@ std::vector<Rival> SlotSearch::ranked(const std::vector<double>& odds) const {
 
 std::vector<Rival> SlotSearch::rivals(const Slots& slots, std::size_t slot) const {
   const Slots others = without(slots, slot);
-  std::vector<double> odds = log_odds(others);
-  for (std::size_t e = 0; e < odds.size(); ++e) {
-    // Far from the best the limits need no look.
-    if (odds[e] <= 0.0) continue;
-    if (!is_possible(sized(others, static_cast<int>(e)))) odds[e] = kNever;
-  }
+  const Fit f = fit(others);
+  std::vector<double> odds = log_odds(others, f);
+  tbb::parallel_for(std::size_t{0}, odds.size(), [&](std::size_t e) {
+    // What nothing is more probable than needs no look at its limits.
+    if (odds[e] > 0.0 && !is_possible(sized(others, f, static_cast<int>(e)))) odds[e] = kNever;
+  });
   return ranked(odds);
 }
 
@@ -321,8 +358,11 @@ std::vector<Rival> SlotSearch::credible(const Slots& slots, std::size_t slot) co
   while (count < list.size() && sum < kCredible && list[count].log_odds > 0.0)
     sum += list[count++].probability;
   if (sum < kCredible) return {};
-  // What lacks no more than the best one's own form may be off by is not ruled out either.
-  const double as_good = (1.0 - kFormError * kFormError) * list.front().log_odds;
+  // What lacks no more than the best one's own form may be off by is not ruled out either. A value
+  // of the model's own has the model's form.
+  const Hypothesis& best = all_.list[static_cast<std::size_t>(list.front().hypothesis)];
+  const double off = best.candidate >= 0 ? kFormError * kFormError : 0.0;
+  const double as_good = (1.0 - off) * list.front().log_odds;
   while (count < list.size() && list[count].log_odds >= as_good) ++count;
   list.resize(count);
   return list;
@@ -344,11 +384,11 @@ Slots SlotSearch::with_names(Slots slots) const {
 }
 
 std::vector<Rival> SlotSearch::on_top(const Slots& slots) const {
-  return ranked(log_odds(slots));
+  return ranked(log_odds(slots, fit(slots)));
 }
 
 VectorXd SlotSearch::coefficients(const Slots& slots, std::size_t slot) const {
-  const Fit f = fit(slots);
+  const Posterior f = posterior(slots);
   Index first = 0;
   for (std::size_t i = 0; i < slot; ++i)
     first +=

@@ -35,9 +35,13 @@ class SlotSearch {
   /// Whether structure without a name is left out; at first it is not.
   void set_names_alone(bool alone) { names_alone_ = alone; }
 
-  /// Grown from nothing by the best entry each, every slot exchanged for its best rival after every
-  /// step.
+  /// Grown from nothing, and from all values of the model's own, by the best entry each, every slot
+  /// exchanged for its best rival after every step; the better one. From nothing alone, a form of
+  /// friction that stands for a level and a slope is never given back for the two.
   Slots find() const;
+  /// The same from slots that another search has found: entries stand in the same order whatever
+  /// the small errors are.
+  Slots find(Slots from) const;
   /// The same from a slot's best rivals as other starts; the best of all.
   Slots from_rivals(const Slots& found) const;
   /// Every hypothesis in place of a slot, most probable first.
@@ -53,18 +57,22 @@ class SlotSearch {
   Eigen::VectorXd coefficients(const Slots& slots, std::size_t slot) const;
 
  private:
+  struct Posterior;
   struct Fit;
+  Posterior posterior(const Slots& slots) const;
   Fit fit(const Slots& slots) const;
-  std::vector<double> log_odds(const Slots& given) const;
+  std::vector<double> log_odds(const Slots& given, const Fit& f) const;
   BayesFactor factor(int entry, const Fit& given) const;
   Eigen::VectorXd precisions(const Slots& slots) const;
   bool is_possible(const Slots& slots) const;
   bool is_possible(int entry, const Eigen::VectorXd& coefficients,
                    const Eigen::VectorXd& errors) const;
-  Slots sized(const Slots& given, int entry) const;
+  Slots sized(const Slots& given, const Fit& f, int entry) const;
   std::optional<Slots> with_best(const Slots& given) const;
   std::vector<Rival> ranked(const std::vector<double>& odds) const;
   bool polish(Slots& slots) const;
+  void settle(Slots& slots) const;
+  Slots own_values() const;
   Slots grown(Slots slots) const;
   std::vector<Slots> other_starts(const Slots& found) const;
   Slots weighed(Slots slots) const;

@@ -39,20 +39,20 @@ TEST_CASE("under the same whitening the logs' sums are the moments of the logs t
   const Problem problem = drive.problem({0, 1, 2});
   const Design design(problem, drive.settings);
   const Hypotheses all = make_hypotheses(design, fitted_baseline(design));
-  const Weights weights =
-      whitening_of(design, all, immaterial_variance(design, drive.settings, all.parts.base))
-          .training;
-  const Moments together = moments_of(design, all, weights);
+  const Whitening whitening =
+      whitening_of(design, all, immaterial_variance(design, drive.settings, all.parts.base));
+  const Weights& weights = whitening.training;
+  const Moments together = moments_of(design, all, whitening);
   ColumnSums sums = sums_of_one(design, all, weights, 0);
   for (const int log : {1, 2}) sums.add(sums_of_one(design, all, weights, log));
-  const Moments added = moments_of(sums);
+  const Moments added = moments_of(sums, all);
   REQUIRE(added.gram.rows() == together.gram.rows());
   CHECK((added.scale - together.scale).cwiseQuotient(together.scale).cwiseAbs().maxCoeff() < 1e-12);
   CHECK(difference(together, added) < 1e-10);
   CHECK(added.deviance == Approx(together.deviance).epsilon(1e-10));
   CHECK(added.rows == together.rows);
   sums.add(sums_of_one(design, all, weights, 2));
-  CHECK(difference(together, moments_of(sums)) > 1e-3);
+  CHECK(difference(together, moments_of(sums, all)) > 1e-3);
 }
 
 TEST_CASE("a log's sums have the columns of the reference logs, whatever the log's own range") {

@@ -46,6 +46,37 @@ TEST_CASE("the spectrum is that of the noise, whatever a fit has taken of it") {
   CHECK(worst(fit_spectrum(forgotten, band)) > 0.5);
 }
 
+// The planted defect is the check that the same bins have another shape without the rise.
+TEST_CASE("a slow disturbance is told below the lowest bins that a fit has left") {
+  const auto slow = [](double f) { return 20.0 / (1.0 + std::pow(f / 0.8, 2.0)) + 1.0; };
+  const auto drawn_above = [&](double lowest, unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::vector<BinEnergy> bins;
+    for (double f = lowest; f < band; f += 1.0 / 30.0) {
+      std::gamma_distribution<double> energy(1.0, 2.0 * slow(f));
+      bins.push_back({f, energy(random), 2.0});
+    }
+    return bins;
+  };
+  const SmoothSpectrum spectrum = fit_spectrum(drawn_above(0.4, 4), band);
+  const auto off = [&](const SmoothSpectrum& s) {
+    return std::abs(std::log(s.at(0.1) / slow(0.1)));
+  };
+  SmoothSpectrum cosines_alone = spectrum;
+  cosines_alone.coefficients.tail(1).setZero();
+  CHECK(off(spectrum) < 1.2);
+  CHECK(off(cosines_alone) > 2.0 * off(spectrum));
+}
+
+// Seen red with a rise of either sign.
+TEST_CASE("a spectrum is not taken to fall where nothing is left over") {
+  std::vector<BinEnergy> bins;
+  for (double f = 0.6; f < band; f += 1.0 / 30.0) bins.push_back({f, f < 2.5 ? 0.4 : 2.0, 2.0});
+  const SmoothSpectrum spectrum = fit_spectrum(bins, band);
+  CHECK(spectrum.coefficients.tail(1)(0) == 0.0);
+  CHECK(spectrum.at(0.1) > 0.3);
+}
+
 // Seen red with bins that count as whole as they are.
 TEST_CASE("a hum is no noise") {
   std::vector<BinEnergy> bins = drawn(4000, 0, 3);
