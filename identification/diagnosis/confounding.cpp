@@ -51,6 +51,32 @@ MatrixXd apart(const Stack& stacked, const MatrixXd& inverse, const Weights& wei
   return x;
 }
 
+/// How alike two groups of columns are beside a model's.
+class Likeness {
+ public:
+  Likeness(const Model& model, const Weights& weights)
+      : weights_(weights),
+        stacked_(stack(model, weights)),
+        inverse_(scaled_pseudo_inverse(stacked_.gram())) {}
+
+  /// Largest canonical correlation of what the model leaves of their whitened columns: 1 where one
+  /// group can stand in for the other.
+  double correlation(const BandColumns& a, const BandColumns& b) const {
+    const MatrixXd x = apart(stacked_, inverse_, weights_, a),
+                   y = apart(stacked_, inverse_, weights_, b);
+    if (x.cols() == 0 || y.cols() == 0) return 0.0;
+    const MatrixXd cross = x.transpose() * y;
+    const MatrixXd square = scaled_pseudo_inverse(x.transpose() * x, 1e-8) * cross *
+                            scaled_pseudo_inverse(y.transpose() * y, 1e-8) * cross.transpose();
+    return std::sqrt(std::clamp(square.eigenvalues().real().maxCoeff(), 0.0, 1.0));
+  }
+
+ private:
+  const Weights& weights_;
+  Stack stacked_;
+  MatrixXd inverse_;
+};
+
 /// Paired block differences of two models: sum over standard error.
 double paired_z(const VectorXd& better, const VectorXd& worse) {
   const VectorXd difference = worse - better;
@@ -163,10 +189,12 @@ std::vector<Trial> contenders(const Design& design, const Library& library, cons
               present.model.terms.end());
   present.allowed = true;
   // What explains something else is no rival, however much that is.
-  std::erase_if(trials, [&](const Trial& t) {
-    return canonical_correlation(without, state.noise.weights, present.model.terms.back().columns,
-                                 t.model.terms.back().columns) < kSameThing;
+  const Likeness likeness(without, state.noise.weights);
+  tbb::parallel_for(std::size_t{0}, trials.size(), [&](std::size_t i) {
+    trials[i].allowed = likeness.correlation(present.model.terms.back().columns,
+                                             trials[i].model.terms.back().columns) >= kSameThing;
   });
+  std::erase_if(trials, [](const Trial& t) { return !t.allowed; });
   trials.push_back(std::move(present));
   rank_trials(design, state.freedom, state.noise.weights, trials);
   refit_close_ones(design, state, deviance(without, state.noise.weights), trials);
@@ -247,20 +275,28 @@ void add_lag(RankedCause lag, std::optional<Model> model, Rivals& rivals, double
   if (model) rivals.model = *std::move(model);
 }
 
-}  // namespace
-
-double canonical_correlation(const Model& model, const Weights& weights, const BandColumns& a,
-                             const BandColumns& b) {
-  const Stack stacked = stack(model, weights);
-  const MatrixXd inverse = scaled_pseudo_inverse(stacked.gram());
-  const MatrixXd x = apart(stacked, inverse, weights, a), y = apart(stacked, inverse, weights, b);
-  if (x.cols() == 0 || y.cols() == 0) return 0.0;
-  const MatrixXd cross = x.transpose() * y;
-  const MatrixXd square = scaled_pseudo_inverse(x.transpose() * x, 1e-8) * cross *
-                          scaled_pseudo_inverse(y.transpose() * y, 1e-8) * cross.transpose();
-  const double largest = square.eigenvalues().real().maxCoeff();
-  return std::sqrt(std::clamp(largest, 0.0, 1.0));
+/// Every trial beside the first one: how far behind, in how many blocks, and how alike.
+std::vector<RankedCause> compared_with_first(const Design& design, const Settings& settings,
+                                             const Weights& weights, const Model& without,
+                                             const std::vector<Trial>& trials) {
+  const Likeness likeness(without, weights);
+  std::vector<VectorXd> losses(trials.size());
+  std::vector<RankedCause> list(trials.size());
+  tbb::parallel_for(std::size_t{0}, trials.size(), [&](std::size_t i) {
+    list[i] = describe(design, trials[i].candidate);
+    list[i].behind = std::max(0.0, trials[i].score - trials.front().score);
+    list[i].weight = std::exp(-0.5 * list[i].behind);
+    losses[i] = cross_validate(design, trials[i].model, weights, settings.blocks).whitened;
+    if (i > 0)
+      list[i].correlation = likeness.correlation(trials.front().model.terms.back().columns,
+                                                 trials[i].model.terms.back().columns);
+  });
+  for (std::size_t i = 1; i < trials.size(); ++i)
+    list[i].paired_z = paired_z(losses.front(), losses[i]);
+  return list;
 }
+
+}  // namespace
 
 Rivals find_rivals(const Design& design, const Library& library, const Settings& settings,
                    const Selection& state, std::size_t term) {
@@ -268,25 +304,15 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
   Model without = state.model;
   remove_term(design, term, without);
   const double own = deviance(without, state.noise.weights) - trials.front().deviance;
-  const VectorXd best_losses =
-      cross_validate(design, trials.front().model, state.noise.weights, settings.blocks).whitened;
+  const std::vector<RankedCause> described =
+      compared_with_first(design, settings, state.noise.weights, without, trials);
   Rivals rivals;
   rivals.margin = std::numeric_limits<double>::infinity();
   double sum = 0.0;
-  for (const Trial& trial : trials) {
-    RankedCause cause = describe(design, trial.candidate);
-    const bool first = &trial == &trials.front();
-    cause.behind = std::max(0.0, trial.score - trials.front().score);
-    cause.weight = std::exp(-0.5 * cause.behind);
-    if (!first) {
-      const VectorXd losses =
-          cross_validate(design, trial.model, state.noise.weights, settings.blocks).whitened;
-      cause.paired_z = paired_z(best_losses, losses);
-      cause.correlation = canonical_correlation(without, state.noise.weights,
-                                                trials.front().model.terms.back().columns,
-                                                trial.model.terms.back().columns);
-      if (cause.correlation < kSameThing || degenerates(trial.model.terms.back())) continue;
-    }
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const RankedCause& cause = described[i];
+    if (i > 0 && (cause.correlation < kSameThing || degenerates(trials[i].model.terms.back())))
+      continue;
     if (cause.behind > kPlainlyBehind && cause.paired_z > kInEveryBlock) {
       rivals.margin = std::min(rivals.margin, cause.behind);
       continue;
@@ -304,8 +330,8 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
       lag && lag->deviance <= std::max(kByChance, kByImperfection * own)) {
     RankedCause cause = describe(design, lag->candidate);
     cause.behind = std::max(0.0, lag->deviance);
-    cause.correlation = canonical_correlation(
-        without, state.noise.weights, trials.front().model.terms.back().columns, lag->columns);
+    cause.correlation = Likeness(without, state.noise.weights)
+                            .correlation(trials.front().model.terms.back().columns, lag->columns);
     std::optional<Model> in_its_place;
     if (lag->deviance < 0.0)
       in_its_place = with_lag(design, state.noise.weights, without, *lag, own);

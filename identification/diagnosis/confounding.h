@@ -10,11 +10,6 @@
 
 namespace sinew::diagnosis {
 
-/// Largest canonical correlation of two column groups in the weighted band after the columns of
-/// `model` are projected out: 1 where one group can stand in for the other.
-double canonical_correlation(const Model& model, const Weights& weights, const BandColumns& a,
-                             const BandColumns& b);
-
 /// Share of a cause's own statistic by which another one may be behind and still be the right one:
 /// no model is perfect.
 inline constexpr double kByImperfection = 0.04;

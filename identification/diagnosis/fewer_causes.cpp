@@ -138,11 +138,11 @@ std::optional<Alternative> best_instead(const Reduction& s, const std::vector<st
     const LinearFit fit = solve(stack(trial.model, s.weights()));
     trial.allowed = !violates_limits(s.design, trial.model, fit, trial.model.terms.size() - 1);
     trial.score = s.score(trial.model);
+    if (trial.allowed) withdraw_group(s, group, trial);
   });
   std::optional<Alternative> best;
   for (Alternative& trial : trials) {
     if (!trial.allowed) continue;
-    withdraw_group(s, group, trial);
     if (trial.causes.replaced.size() < 2 || trial.score >= present) continue;
     if (!best || trial.score < best->score) best = std::move(trial);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/regression/linear_fit.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -73,9 +75,9 @@ Stack stack(const Model& model, const Weights& weights) {
   result.a.resize(weights.size());
   result.at.resize(weights.size());
   result.y = VectorXd::Zero(result.first_row.back());
-  for (std::size_t s = 0; s < weights.size(); ++s) {
+  tbb::parallel_for(std::size_t{0}, weights.size(), [&](std::size_t s) {
     const Index rows = weights[s].size();
-    if (rows == 0) continue;
+    if (rows == 0) return;
     result.y.segment(result.first_row[s], rows) = weights[s].cwiseProduct(model.target[s]);
     for (std::size_t t = 0; t < model.terms.size(); ++t)
       for (Index c = 0; c < model.terms[t].columns[s].cols(); ++c)
@@ -88,7 +90,7 @@ Stack stack(const Model& model, const Weights& weights) {
       result.a[s].middleCols(place, part.cols()) = weights[s].asDiagonal() * part;
       place += part.cols();
     }
-  }
+  });
   return result;
 }
 
@@ -101,13 +103,14 @@ MatrixXd Stack::dense() const {
 }
 
 MatrixXd Stack::gram() const {
+  std::vector<MatrixXd> own(a.size());
+  tbb::parallel_for(std::size_t{0}, a.size(), [&](std::size_t s) {
+    own[s] = MatrixXd::Zero(a[s].cols(), a[s].cols());
+    own[s].selfadjointView<Eigen::Lower>().rankUpdate(a[s].transpose());
+  });
   MatrixXd sum = MatrixXd::Zero(coefficients, coefficients);
-  for (std::size_t s = 0; s < a.size(); ++s) {
-    if (at[s].empty()) continue;
-    MatrixXd own = MatrixXd::Zero(a[s].cols(), a[s].cols());
-    own.selfadjointView<Eigen::Lower>().rankUpdate(a[s].transpose());
-    sum(at[s], at[s]) += MatrixXd(own.selfadjointView<Eigen::Lower>());
-  }
+  for (std::size_t s = 0; s < a.size(); ++s)
+    if (!at[s].empty()) sum(at[s], at[s]) += MatrixXd(own[s].selfadjointView<Eigen::Lower>());
   sum.diagonal() += prior;
   return sum;
 }
@@ -185,17 +188,21 @@ LinearFit solve(const Stack& stack) {
     fit.covariance = scaled_pseudo_inverse(stack.gram());
     // Twice, for refinement: the normal equations square the condition number.
     for (int round = 0; round < 2; ++round) {
+      std::vector<VectorXd> own(stack.a.size());
+      tbb::parallel_for(std::size_t{0}, own.size(), [&](std::size_t s) {
+        own[s] =
+            stack.a[s].transpose() * fit.residual.segment(stack.first_row[s], stack.a[s].rows());
+      });
       VectorXd moment = -stack.prior.cwiseProduct(fit.coefficients);
-      for (std::size_t s = 0; s < stack.a.size(); ++s)
-        if (!stack.at[s].empty())
-          moment(stack.at[s]) +=
-              stack.a[s].transpose() * fit.residual.segment(stack.first_row[s], stack.a[s].rows());
+      for (std::size_t s = 0; s < own.size(); ++s)
+        if (!stack.at[s].empty()) moment(stack.at[s]) += own[s];
       const VectorXd step = fit.covariance * moment;
       fit.coefficients += step;
-      for (std::size_t s = 0; s < stack.a.size(); ++s)
+      tbb::parallel_for(std::size_t{0}, own.size(), [&](std::size_t s) {
         if (!stack.at[s].empty())
           fit.residual.segment(stack.first_row[s], stack.a[s].rows()) -=
               stack.a[s] * step(stack.at[s]);
+      });
     }
   }
   fit.deviance = fit.residual.squaredNorm() + stack.prior.dot(fit.coefficients.cwiseAbs2());
