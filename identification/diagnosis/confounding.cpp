@@ -51,31 +51,24 @@ MatrixXd apart(const Stack& stacked, const MatrixXd& inverse, const Weights& wei
   return x;
 }
 
-/// How alike two groups of columns are beside a model's.
-class Likeness {
- public:
-  Likeness(const Model& model, const Weights& weights)
-      : weights_(weights),
-        stacked_(stack(model, weights)),
-        inverse_(scaled_pseudo_inverse(stacked_.gram())) {}
+}  // namespace
 
-  /// Largest canonical correlation of what the model leaves of their whitened columns: 1 where one
-  /// group can stand in for the other.
-  double correlation(const BandColumns& a, const BandColumns& b) const {
-    const MatrixXd x = apart(stacked_, inverse_, weights_, a),
-                   y = apart(stacked_, inverse_, weights_, b);
-    if (x.cols() == 0 || y.cols() == 0) return 0.0;
-    const MatrixXd cross = x.transpose() * y;
-    const MatrixXd square = scaled_pseudo_inverse(x.transpose() * x, 1e-8) * cross *
-                            scaled_pseudo_inverse(y.transpose() * y, 1e-8) * cross.transpose();
-    return std::sqrt(std::clamp(square.eigenvalues().real().maxCoeff(), 0.0, 1.0));
-  }
+Likeness::Likeness(const Model& model, const Weights& weights)
+    : weights_(weights),
+      stacked_(stack(model, weights)),
+      inverse_(scaled_pseudo_inverse(stacked_.gram())) {}
 
- private:
-  const Weights& weights_;
-  Stack stacked_;
-  MatrixXd inverse_;
-};
+double Likeness::correlation(const BandColumns& a, const BandColumns& b) const {
+  const MatrixXd x = apart(stacked_, inverse_, weights_, a),
+                 y = apart(stacked_, inverse_, weights_, b);
+  if (x.cols() == 0 || y.cols() == 0) return 0.0;
+  const MatrixXd cross = x.transpose() * y;
+  const MatrixXd square = scaled_pseudo_inverse(x.transpose() * x, 1e-8) * cross *
+                          scaled_pseudo_inverse(y.transpose() * y, 1e-8) * cross.transpose();
+  return std::sqrt(std::clamp(square.eigenvalues().real().maxCoeff(), 0.0, 1.0));
+}
+
+namespace {
 
 /// Paired block differences of two models: sum over standard error.
 double paired_z(const VectorXd& better, const VectorXd& worse) {

@@ -10,6 +10,22 @@
 
 namespace sinew::diagnosis {
 
+/// How alike two groups of columns are beside a model's.
+class Likeness {
+ public:
+  /// Keeps a reference to the weights.
+  Likeness(const Model& model, const Weights& weights);
+
+  /// Largest canonical correlation of two column groups in the weighted band after the model's
+  /// columns are projected out: 1 where one group can stand in for the other.
+  double correlation(const BandColumns& a, const BandColumns& b) const;
+
+ private:
+  const Weights& weights_;
+  Stack stacked_;
+  Eigen::MatrixXd inverse_;
+};
+
 /// Share of a cause's own statistic by which another one may be behind and still be the right one:
 /// no model is perfect.
 inline constexpr double kByImperfection = 0.04;
