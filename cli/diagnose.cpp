@@ -277,10 +277,8 @@ void add_diagnose_command(CLI::App& app, int& exit_status) {
                    "Share of a channel's rms: errors below are not told (0.001)")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--seed", o->seed, "Of the surrogates and intervals");
-  command->add_flag(
-      "--likelihood", o->by_likelihood,
-      "Decide by one likelihood where channels have noise of their own: being measured "
-      "against the rules");
+  command->add_flag("--likelihood", o->by_likelihood,
+                    "Decide by one likelihood: being measured against the rules");
   command->add_option("--runtime", o->runtime, "Folder of the runtime's headers");
   command->add_flag("--quick", o->quick,
                     "A first look at a part of the samples, up to 25 Hz: adopts nothing");

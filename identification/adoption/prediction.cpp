@@ -90,7 +90,7 @@ std::vector<double> listed(const VectorXd& values) {
 }
 
 /// The log's efforts as commands of a driven_plant(), without what a known payload takes of them.
-Plant plant_of(const EffortModel& model, const Recording& log) {
+Plant plant_of(const Drives& drives, const Recording& log) {
   Scenario scenario;
   scenario.file = log.name;
   scenario.step = log.step;
@@ -109,7 +109,7 @@ Plant plant_of(const EffortModel& model, const Recording& log) {
   if (const auto found = log.signals.find("tension"); found != log.signals.end())
     for (Index t = 0; t < found->second.cols(); ++t)
       add("tension_" + std::to_string(t + 1), found->second.col(t));
-  return driven_plant(model.drives(), names, scenario);
+  return driven_plant(drives, names, scenario);
 }
 
 /// A run that leaves all bounds ends.
@@ -129,18 +129,24 @@ VectorXd bounded(const VectorXd& squares) {
       [](double x) { return std::isfinite(x) ? x : std::numeric_limits<double>::infinity(); });
 }
 
-using Errors = std::function<StretchErrors(const EffortModel&, const Recording&)>;
+using Errors = std::function<StretchErrors(Plant&, const Recording&)>;
+
+/// Drives are derived symbolically, which no two threads may do at once.
+struct BothDrives {
+  Drives before, after;
+};
 
 /// One domain of all joints.
 void add_domain(const std::string& domain, const Errors& errors, const DrivenSubject& subject,
-                const EffortModel& after, std::vector<ChannelFinding>& channels) {
+                const BothDrives& drives, std::vector<ChannelFinding>& channels) {
   const Problem& problem = subject.problem();
   const auto& logs = problem.holdout.empty() ? problem.training : problem.holdout;
   const auto joints = static_cast<Index>(channels.size());
   std::vector<StretchErrors> parts(2 * logs.size());  // before and after, log by log
   tbb::parallel_for(0, static_cast<int>(parts.size()), [&](int i) {
     const auto k = static_cast<std::size_t>(i);
-    parts[k] = errors(i % 2 == 0 ? subject.effort() : after, logs[k / 2]);
+    Plant plant = plant_of(i % 2 == 0 ? drives.before : drives.after, logs[k / 2]);
+    parts[k] = errors(plant, logs[k / 2]);
   });
   StretchErrors was(0, joints), is(0, joints);
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -203,12 +209,12 @@ StretchErrors open_loop_errors(Plant& plant, const Recording& log, int stretches
 
 StretchErrors window_errors(const EffortModel& model, const Recording& log, double seconds,
                             int stretches) {
-  Plant plant = plant_of(model, log);
+  Plant plant = plant_of(model.drives(), log);
   return window_errors(plant, log, seconds, stretches);
 }
 
 StretchErrors open_loop_errors(const EffortModel& model, const Recording& log, int stretches) {
-  Plant plant = plant_of(model, log);
+  Plant plant = plant_of(model.drives(), log);
   return open_loop_errors(plant, log, stretches);
 }
 
@@ -222,17 +228,19 @@ void add_predictions(const DrivenSubject& subject, const EffortModel& after,
                log.q.cols() != static_cast<Index>(channels.size());
       }))
     return;
+  const BothDrives drives{subject.effort().drives(), after.drives()};
   add_domain(
       "window",
-      [&](const EffortModel& m, const Recording& r) {
-        return window_errors(m, r, prediction_window, tendons ? tendon_windows : effort_windows);
+      [&](Plant& plant, const Recording& r) {
+        return window_errors(plant, r, prediction_window,
+                             tendons ? tendon_windows : effort_windows);
       },
-      subject, after, channels);
+      subject, drives, channels);
   if (tendons) return;
   add_domain(
       "open loop",
-      [](const EffortModel& m, const Recording& r) { return open_loop_errors(m, r, kParts); },
-      subject, after, channels);
+      [](Plant& plant, const Recording& r) { return open_loop_errors(plant, r, kParts); }, subject,
+      drives, channels);
 }
 
 }  // namespace sinew::diagnosis

@@ -25,7 +25,8 @@ struct LogSums {
 class ReferenceColumns {
  public:
   /// `problem`: prepared for the reference logs, its training logs; others are left away. Throws
-  /// std::invalid_argument where channels share their noise: the likelihood does not know those.
+  /// std::invalid_argument where channels share their noise: a log's sums whiten each channel by
+  /// itself.
   ReferenceColumns(Problem problem, const Settings& settings);
   ReferenceColumns(const ReferenceColumns&) = delete;
   ReferenceColumns& operator=(const ReferenceColumns&) = delete;
