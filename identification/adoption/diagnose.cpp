@@ -98,8 +98,7 @@ class Run {
       look_at_standstills(explanation);
     }
     merge_members(explanation.verdict);
-    if (!request_.settings.by_likelihood)
-      remove_nuisances(explanation.verdict);
+    if (!request_.settings.by_likelihood) remove_nuisances(explanation.verdict);
     if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
     propose_experiments(
         subject_.problem(), request_.settings,

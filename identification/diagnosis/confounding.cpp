@@ -53,12 +53,12 @@ MatrixXd apart(const Stack& stacked, const MatrixXd& inverse, const Weights& wei
 
 }  // namespace
 
-Likeness::Likeness(const Model& model, const Weights& weights)
+CanonicalCorrelation::CanonicalCorrelation(const Model& model, const Weights& weights)
     : weights_(weights),
       stacked_(stack(model, weights)),
       inverse_(scaled_pseudo_inverse(stacked_.gram())) {}
 
-double Likeness::correlation(const BandColumns& a, const BandColumns& b) const {
+double CanonicalCorrelation::largest(const BandColumns& a, const BandColumns& b) const {
   const MatrixXd x = apart(stacked_, inverse_, weights_, a),
                  y = apart(stacked_, inverse_, weights_, b);
   if (x.cols() == 0 || y.cols() == 0) return 0.0;
@@ -182,10 +182,10 @@ std::vector<Trial> contenders(const Design& design, const Library& library, cons
               present.model.terms.end());
   present.allowed = true;
   // What explains something else is no rival, however much that is.
-  const Likeness likeness(without, state.noise.weights);
+  const CanonicalCorrelation beside(without, state.noise.weights);
   tbb::parallel_for(std::size_t{0}, trials.size(), [&](std::size_t i) {
-    trials[i].allowed = likeness.correlation(present.model.terms.back().columns,
-                                             trials[i].model.terms.back().columns) >= kSameThing;
+    trials[i].allowed = beside.largest(present.model.terms.back().columns,
+                                       trials[i].model.terms.back().columns) >= kSameThing;
   });
   std::erase_if(trials, [](const Trial& t) { return !t.allowed; });
   trials.push_back(std::move(present));
@@ -272,7 +272,7 @@ void add_lag(RankedCause lag, std::optional<Model> model, Rivals& rivals, double
 std::vector<RankedCause> compared_with_first(const Design& design, const Settings& settings,
                                              const Weights& weights, const Model& without,
                                              const std::vector<Trial>& trials) {
-  const Likeness likeness(without, weights);
+  const CanonicalCorrelation beside(without, weights);
   std::vector<VectorXd> losses(trials.size());
   std::vector<RankedCause> list(trials.size());
   tbb::parallel_for(std::size_t{0}, trials.size(), [&](std::size_t i) {
@@ -281,8 +281,8 @@ std::vector<RankedCause> compared_with_first(const Design& design, const Setting
     list[i].weight = std::exp(-0.5 * list[i].behind);
     losses[i] = cross_validate(design, trials[i].model, weights, settings.blocks).whitened;
     if (i > 0)
-      list[i].correlation = likeness.correlation(trials.front().model.terms.back().columns,
-                                                 trials[i].model.terms.back().columns);
+      list[i].correlation = beside.largest(trials.front().model.terms.back().columns,
+                                           trials[i].model.terms.back().columns);
   });
   for (std::size_t i = 1; i < trials.size(); ++i)
     list[i].paired_z = paired_z(losses.front(), losses[i]);
@@ -323,8 +323,8 @@ Rivals find_rivals(const Design& design, const Library& library, const Settings&
       lag && lag->deviance <= std::max(kByChance, kByImperfection * own)) {
     RankedCause cause = describe(design, lag->candidate);
     cause.behind = std::max(0.0, lag->deviance);
-    cause.correlation = Likeness(without, state.noise.weights)
-                            .correlation(trials.front().model.terms.back().columns, lag->columns);
+    cause.correlation = CanonicalCorrelation(without, state.noise.weights)
+                            .largest(trials.front().model.terms.back().columns, lag->columns);
     std::optional<Model> in_its_place;
     if (lag->deviance < 0.0)
       in_its_place = with_lag(design, state.noise.weights, without, *lag, own);

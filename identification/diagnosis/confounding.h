@@ -10,15 +10,15 @@
 
 namespace sinew::diagnosis {
 
-/// How alike two groups of columns are beside a model's.
-class Likeness {
+/// Of two groups of columns beside a model's.
+class CanonicalCorrelation {
  public:
   /// Keeps a reference to the weights.
-  Likeness(const Model& model, const Weights& weights);
+  CanonicalCorrelation(const Model& model, const Weights& weights);
 
-  /// Largest canonical correlation of two column groups in the weighted band after the model's
-  /// columns are projected out: 1 where one group can stand in for the other.
-  double correlation(const BandColumns& a, const BandColumns& b) const;
+  /// The largest one in the weighted band, the model's columns projected out: 1 where one group can
+  /// stand in for the other.
+  double largest(const BandColumns& a, const BandColumns& b) const;
 
  private:
   const Weights& weights_;

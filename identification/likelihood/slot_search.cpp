@@ -2,7 +2,6 @@
 #include "identification/likelihood/slot_search.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -12,6 +11,7 @@
 
 #include "identification/likelihood/decision_constants.h"
 #include "identification/regression/body_limits.h"
+#include "identification/regression/inner_loop.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -29,13 +29,6 @@ constexpr int kMostSweeps = 4;
 constexpr double kStandardErrors = 2.0;
 
 constexpr std::size_t kRivals = 6;
-
-/// A thread that waits for the others begins no other search meanwhile: searches from several
-/// starts are made side by side.
-template <class Function>
-void for_each_entry(std::size_t count, const Function& function) {
-  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, function); });
-}
 
 Slots without(Slots slots, std::size_t at) {
   slots.entries.erase(slots.entries.begin() + static_cast<std::ptrdiff_t>(at));
@@ -137,7 +130,7 @@ std::vector<double> SlotSearch::log_odds(const Slots& given, const Fit& f) const
         taken[h] = true;
   }
   std::vector<double> odds(entries_.size(), kNever);
-  for_each_entry(entries_.size(), [&](std::size_t i) {
+  inner_loop(entries_.size(), [&](std::size_t i) {
     const Entry& e = entries_[i];
     const auto h = static_cast<std::size_t>(e.hypothesis);
     if (!taken[h] && (all_.list[h].named || !names_alone_))
@@ -352,7 +345,7 @@ std::vector<Rival> SlotSearch::rivals(const Slots& slots, std::size_t slot) cons
   const Slots others = without(slots, slot);
   const Fit f = fit(others);
   std::vector<double> odds = log_odds(others, f);
-  for_each_entry(odds.size(), [&](std::size_t e) {
+  inner_loop(odds.size(), [&](std::size_t e) {
     // What nothing is more probable than needs no look at its limits.
     if (odds[e] > 0.0 && !is_possible(sized(others, f, static_cast<int>(e)))) odds[e] = kNever;
   });

@@ -75,6 +75,7 @@ struct LinearParameter {
   std::optional<double> nominal;
   /// Standard deviation of what it is before any log was seen, about 0; 0: nothing is known of it.
   double spread = 0.0;
+  bool per_stretch = false;  ///< where per_log: one for each stretch that is read of a log
 };
 
 enum class CandidateKind {

@@ -216,6 +216,12 @@ int Design::first_of_log(int index) const {
   return index;
 }
 
+int Design::owner_of(const Candidate& candidate, int parameter, int recording) const {
+  return candidate.linear[static_cast<std::size_t>(parameter)].per_stretch
+             ? recording
+             : first_of_log(recording);
+}
+
 std::vector<Design::Coefficient> Design::coefficients(const Candidate& candidate) const {
   std::vector<Coefficient> list;
   const int logs = static_cast<int>(problem_.training.size() + problem_.holdout.size());
@@ -225,7 +231,7 @@ std::vector<Design::Coefficient> Design::coefficients(const Candidate& candidate
       continue;
     }
     for (int log = 0; log < logs; ++log)
-      if (first_of_log(log) == log) list.push_back({p, log});
+      if (owner_of(candidate, p, log) == log) list.push_back({p, log});
   }
   return list;
 }
@@ -253,10 +259,10 @@ MatrixXd Design::segment_columns(std::size_t i, const Candidate& candidate,
   energies.power += raw.squaredNorm() / static_cast<double>(raw.rows());
   energies.band += band.bottomRows(band.rows() - 2).squaredNorm() / windows_[i].squaredNorm();
   const std::vector<Coefficient> layout = coefficients(candidate);
-  const int log = first_of_log(s.recording);
   MatrixXd result = MatrixXd::Zero(band.rows(), static_cast<Index>(layout.size()));
   for (std::size_t c = 0; c < layout.size(); ++c)
-    if (layout[c].recording < 0 || layout[c].recording == log)
+    if (layout[c].recording < 0 ||
+        layout[c].recording == owner_of(candidate, layout[c].parameter, s.recording))
       result.col(static_cast<Index>(c)) = band.col(layout[c].parameter);
   return result;
 }

@@ -103,7 +103,8 @@ class Design {
   /// Coefficients of a candidate over all logs: per-log nuisances count once for each log.
   Eigen::Index width(const Candidate& candidate) const;
 
-  /// Linear parameter behind a coefficient, and the first stretch of its log (-1: shared).
+  /// Linear parameter behind a coefficient, and its stretch or the first one of its log (-1:
+  /// shared).
   struct Coefficient {
     int parameter = 0;
     int recording = -1;
@@ -154,6 +155,8 @@ class Design {
   void add_segments(const std::vector<Recording>& recordings, int first, bool holdout);
   const Recording& given(int index) const;
   int first_of_log(int index) const;
+  /// Whose coefficient a stretch has of a parameter that is not shared.
+  int owner_of(const Candidate& candidate, int parameter, int recording) const;
   Eigen::MatrixXd thinned(int segment, const Eigen::MatrixXd& raw) const;
   const Problem& problem_;
   Settings settings_;

@@ -38,11 +38,11 @@ Candidate unnamed(CandidateKind kind, const std::string& depends_on, int axis, i
   return c;
 }
 
-void add_coefficients(Candidate& c, int count, bool per_log = false) {
+void add_coefficients(Candidate& c, int count, bool per_stretch = false) {
   for (int k = 0; k < count; ++k) {
     LinearParameter p;
     p.name = std::string("b").append(std::to_string(k));
-    p.per_log = per_log;
+    p.per_log = p.per_stretch = per_stretch;
     c.linear.push_back(p);
   }
 }
@@ -109,11 +109,11 @@ Candidate position_and_load(const FlexibleRanges& r, double soft, int axis, int 
 
 /// A level of its own for every stroke between two reversals; where there are more strokes than
 /// columns neighbours share one.
-Candidate stroke_by_stroke(double rest, int logs, bool by_direction, int axis, int channel) {
+Candidate stroke_by_stroke(double rest, int stretches, bool by_direction, int axis, int channel) {
   Candidate c = unnamed(CandidateKind::flexible,
                         by_direction ? "the stroke x direction" : "the stroke", axis, channel);
-  constexpr int of_all_logs = 40, least = 2;
-  const int most = std::max(least, of_all_logs / std::max(1, logs));
+  constexpr int of_all = 40, least = 2;
+  const int most = std::max(least, of_all / std::max(1, stretches));
   add_coefficients(c, most, true);
   c.columns = [=](const Recording& log, int, const VectorXd&) {
     const std::vector<int> strokes = stroke_numbers(log.qd.col(axis), rest);
@@ -269,8 +269,8 @@ std::vector<Candidate> flexible_families(const FlexibleRanges& r, int axis, int 
   add("way since the last reversal x direction", true, way, 0.0, 1.0, 8);
   list.push_back(position_and_velocity(r, axis, channel));
   if (r.load > 0.0) list.push_back(position_and_load(r, soft, axis, channel));
-  list.push_back(stroke_by_stroke(soft, r.logs, false, axis, channel));
-  list.push_back(stroke_by_stroke(soft, r.logs, true, axis, channel));
+  list.push_back(stroke_by_stroke(soft, r.stretches, false, axis, channel));
+  list.push_back(stroke_by_stroke(soft, r.stretches, true, axis, channel));
   list.push_back(any_period_in_position(r, axis, channel));
   list.push_back(any_swing_of_friction(r, soft, axis, channel));
   return list;

@@ -15,7 +15,7 @@ struct FlexibleRanges {
   double load = 0.0;             ///< largest |load|; 0: no load channel
   double duration = 60.0;        ///< s
   double effort = 0.0;           ///< largest |effort| that the model asks for; 0: it asks for none
-  int logs = 1;                  ///< what is another in every log gets the fewer columns in each
+  int stretches = 1;  ///< read of all logs: what is another in each gets the fewer columns
 };
 
 /// Flexible families of one axis (column of the recording's matrices), acting on one channel:

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/regression/linear_fit.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "identification/regression/inner_loop.h"
 
 namespace sinew::diagnosis {
 
@@ -17,13 +16,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
-
-/// A thread that waits for the others' segments begins no other fit meanwhile: fits are made side
-/// by side, and each holds its rows.
-template <class Function>
-void for_segments(std::size_t count, const Function& function) {
-  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, function); });
-}
 
 Index width(const Term& term) {
   for (const MatrixXd& part : term.columns)
@@ -83,7 +75,7 @@ Stack stack(const Model& model, const Weights& weights) {
   result.a.resize(weights.size());
   result.at.resize(weights.size());
   result.y = VectorXd::Zero(result.first_row.back());
-  for_segments(weights.size(), [&](std::size_t s) {
+  inner_loop(weights.size(), [&](std::size_t s) {
     const Index rows = weights[s].size();
     if (rows == 0) return;
     result.y.segment(result.first_row[s], rows) = weights[s].cwiseProduct(model.target[s]);
@@ -112,7 +104,7 @@ MatrixXd Stack::dense() const {
 
 MatrixXd Stack::gram() const {
   std::vector<MatrixXd> own(a.size());
-  for_segments(a.size(), [&](std::size_t s) {
+  inner_loop(a.size(), [&](std::size_t s) {
     own[s] = MatrixXd::Zero(a[s].cols(), a[s].cols());
     own[s].selfadjointView<Eigen::Lower>().rankUpdate(a[s].transpose());
   });
@@ -197,7 +189,7 @@ LinearFit solve(const Stack& stack) {
     // Twice, for refinement: the normal equations square the condition number.
     for (int round = 0; round < 2; ++round) {
       std::vector<VectorXd> own(stack.a.size());
-      for_segments(own.size(), [&](std::size_t s) {
+      inner_loop(own.size(), [&](std::size_t s) {
         own[s] =
             stack.a[s].transpose() * fit.residual.segment(stack.first_row[s], stack.a[s].rows());
       });
@@ -206,7 +198,7 @@ LinearFit solve(const Stack& stack) {
         if (!stack.at[s].empty()) moment(stack.at[s]) += own[s];
       const VectorXd step = fit.covariance * moment;
       fit.coefficients += step;
-      for_segments(own.size(), [&](std::size_t s) {
+      inner_loop(own.size(), [&](std::size_t s) {
         if (!stack.at[s].empty())
           fit.residual.segment(stack.first_row[s], stack.a[s].rows()) -=
               stack.a[s] * step(stack.at[s]);

@@ -314,8 +314,8 @@ FlexibleRanges DrivenSubject::ranges(std::size_t joint) const {
   for (const Recording& log : problem_.training)
     effort = std::max(
         effort, log.signals.at("effort").col(static_cast<Index>(joint)).cwiseAbs().maxCoeff());
-  const auto logs = static_cast<int>(problem_.training.size());
-  return {s.low, s.high, s.speed, s.load, s.duration, effort, logs};
+  const auto stretches = static_cast<int>(problem_.training.size());
+  return {s.low, s.high, s.speed, s.load, s.duration, effort, stretches};
 }
 
 bool DrivenSubject::moves_links(std::size_t joint) const {

@@ -105,8 +105,8 @@ TEST_CASE("canonical correlation is one for stand-ins and small for strangers") 
   const auto columns = [&](int i) {
     return design.columns(problem.library[static_cast<std::size_t>(i)], VectorXd());
   };
-  CHECK(Likeness(model, weights).correlation(columns(0), columns(1)) > 0.999);
-  CHECK(Likeness(model, weights).correlation(columns(0), columns(2)) < 0.5);
+  CHECK(CanonicalCorrelation(model, weights).largest(columns(0), columns(1)) > 0.999);
+  CHECK(CanonicalCorrelation(model, weights).largest(columns(0), columns(2)) < 0.5);
 }
 
 TEST_CASE("the planned motion that separates a set is the one proposed") {

@@ -54,21 +54,34 @@ Problem two_joints(unsigned seed) {
   return problem;
 }
 
+struct TwoJoints {
+  template <class Weighted>
+  ColumnSums sums(const Weighted& weights) const {
+    return column_sums(design, all, weights);
+  }
+
+  Problem problem = two_joints(3);
+  Settings settings = [] {
+    Settings s;
+    s.edge_s = 0.2;
+    return s;
+  }();
+  Design design{problem, settings};
+  Hypotheses all = make_hypotheses(design, fitted_baseline(design));
+  Whitening whitening = whitening_of(design, all, VectorXd::Zero(2));
+};
+
 }  // namespace
 
 // Seen red with channels that are whitened each by itself.
 TEST_CASE("what channels share of their noise counts once") {
-  const Problem problem = two_joints(3);
-  Settings settings;
-  settings.edge_s = 0.2;
-  const Design design(problem, settings);
-  const Hypotheses all = make_hypotheses(design, fitted_baseline(design));
-  const Whitening whitening = whitening_of(design, all, VectorXd::Zero(2));
+  const TwoJoints joints;
+  const Whitening& whitening = joints.whitening;
   REQUIRE(whitening.shared.size() == 1);
   CHECK(whitening.shared.front().correlation(0, 1) == Approx(alike).margin(0.03));
 
-  const ColumnSums together = column_sums(design, all, whitening);
-  const ColumnSums apart = column_sums(design, all, whitening.training);
+  const ColumnSums together = joints.sums(whitening);
+  const ColumnSums apart = joints.sums(whitening.training);
   CHECK(together.rows == apart.rows);
   CHECK(together.deviance == Approx(together.rows).epsilon(0.05));
   // A cause at one joint: the other one's noise is known there, and so less is left of its own.
@@ -79,17 +92,14 @@ TEST_CASE("what channels share of their noise counts once") {
   CHECK(together.gram(ripple, ripple) == Approx(apart.gram(ripple, ripple) / known).epsilon(0.15));
 }
 
+// Seen red with a share that nobody reads.
 TEST_CASE("of rows with other noise besides, only what is shared goes together") {
-  const Problem problem = two_joints(3);
-  Settings settings;
-  settings.edge_s = 0.2;
-  const Design design(problem, settings);
-  const Hypotheses all = make_hypotheses(design, fitted_baseline(design));
-  Whitening whitening = whitening_of(design, all, VectorXd::Zero(2));
+  const TwoJoints joints;
+  Whitening whitening = joints.whitening;
   // All of a row's variance is its own: channels as if each by itself.
   for (const VectorXd& weight : whitening.training)
     whitening.noise_share.push_back(VectorXd::Constant(weight.size(), 1e-6));
-  const ColumnSums none = column_sums(design, all, whitening);
-  const ColumnSums apart = column_sums(design, all, whitening.training);
+  const ColumnSums none = joints.sums(whitening);
+  const ColumnSums apart = joints.sums(whitening.training);
   CHECK((none.gram - apart.gram).cwiseAbs().maxCoeff() < 1e-6 * apart.gram.cwiseAbs().maxCoeff());
 }

@@ -117,9 +117,11 @@ TEST_CASE("every stroke has a column of its own, neighbours share one where ther
 TEST_CASE("many logs have no more columns for their strokes than one") {
   diagnosis::FlexibleRanges ranges{-1.0, 1.0, 1.0, 0.0, 20.0};
   for (const int logs : {1, 3, 20}) {
-    ranges.logs = logs;
+    ranges.stretches = logs;
     for (const auto& c : diagnosis::flexible_families(ranges))
-      if (c.depends_on.starts_with("the stroke"))
+      if (c.depends_on.starts_with("the stroke")) {
         CHECK(static_cast<int>(c.linear.size()) * logs <= 40);
+        CHECK(c.linear.front().per_stretch);  // strokes are counted from each stretch's start
+      }
   }
 }
