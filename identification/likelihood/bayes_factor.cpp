@@ -90,6 +90,17 @@ double log_probability_between(double low, double high, double mean, double devi
   return near + std::log(std::max(1.0 - ratio, 1e-300));
 }
 
+double most_by_fit(const ConditionalMoments& m) {
+  if (m.target.size() == 1) return 0.5 * m.target(0) * m.target(0) / m.gram(0, 0);
+  if (m.target.size() > 2) return kInfinity;
+  const double a = m.gram(0, 0), b = m.gram(0, 1), c = m.gram(1, 1), determinant = a * c - b * b;
+  const double x = m.target(0), y = m.target(1);
+  constexpr double regular = 1e-9;
+  return determinant > regular * a * c
+             ? 0.5 * (c * x * x - 2.0 * b * x * y + a * y * y) / determinant
+             : kInfinity;
+}
+
 BayesFactor bayes_factor_of(const ConditionalMoments& m) {
   switch (m.target.size()) {
     case 1:

@@ -23,6 +23,10 @@ struct BayesFactor {
 /// standard deviation is spread evenly (in its logarithm) from kSmallestSize to kLargestSize.
 BayesFactor bayes_factor_of(const ConditionalMoments& m);
 
+/// What its logarithm is at most, whatever the prior: that of the best fit. Infinite for more than
+/// two columns, where that is no less work than the factor.
+double most_by_fit(const ConditionalMoments& m);
+
 /// log P(low < x < high) of a normal x; exact far into both tails.
 double log_probability_between(double low, double high, double mean, double deviation);
 

@@ -26,21 +26,26 @@ Index width_of(const BandColumns& columns) {
 
 /// A segment's columns that act there, in their order, and where they stand among all.
 struct ActingColumns {
-  std::vector<const MatrixXd*> parts;
+  std::vector<Eigen::Block<const MatrixXd, Eigen::Dynamic, 1, true>> columns;
   std::vector<Index> at;
 };
 
-ActingColumns acting_columns(const Hypotheses& all, const ColumnSums& sums, std::size_t segment) {
+ActingColumns acting_columns(const Hypotheses& all, const std::vector<Index>& width,
+                             std::size_t segment) {
   ActingColumns acting;
   Index first = 0;
-  const auto take = [&](const MatrixXd& part, Index width) {
-    if (part.cols() > 0) acting.parts.push_back(&part);
-    for (Index c = 0; c < part.cols(); ++c) acting.at.push_back(first + c);
-    first += width;
+  const auto take = [&](const MatrixXd& part, Index wide) {
+    for (Index c = 0; c < part.cols(); ++c) {
+      // What belongs to another log does not act in this one.
+      if ((part.col(c).array() == 0.0).all()) continue;
+      acting.columns.push_back(part.col(c));
+      acting.at.push_back(first + c);
+    }
+    first += wide;
   };
   for (const Term& term : all.parts.base.terms) take(term.columns[segment], width_of(term.columns));
   for (std::size_t i = 0; i < all.shapes.size(); ++i)
-    take(all.shapes[i].columns[segment], sums.width[i]);
+    take(all.shapes[i].columns[segment], width[i]);
   return acting;
 }
 
@@ -71,7 +76,7 @@ class BlockRows {
             const Weights& noise_share, const Block& block)
       : all_(all), weights_(weights), noise_share_(noise_share), block_(block) {
     for (const std::size_t s : block.segments) {
-      acting_.push_back(acting_columns(all, sums, s));
+      acting_.push_back(acting_columns(all, sums.width, s));
       at_.insert(at_.end(), acting_.back().at.begin(), acting_.back().at.end());
     }
     std::sort(at_.begin(), at_.end());
@@ -98,13 +103,11 @@ class BlockRows {
     rows.y.segment(i * count, count) =
         weight.cwiseProduct(all_.parts.base.target[s].segment(from, count));
     const ActingColumns& acting = acting_[static_cast<std::size_t>(i)];
-    std::size_t place = 0;
-    for (const MatrixXd* part : acting.parts)
-      for (Index c = 0; c < part->cols(); ++c) {
-        const auto to = std::lower_bound(at_.begin(), at_.end(), acting.at[place++]);
-        rows.x.col(to - at_.begin()).segment(i * count, count) =
-            weight.cwiseProduct(part->col(c).segment(from, count));
-      }
+    for (std::size_t c = 0; c < acting.at.size(); ++c) {
+      const auto to = std::lower_bound(at_.begin(), at_.end(), acting.at[c]);
+      rows.x.col(to - at_.begin()).segment(i * count, count) =
+          weight.cwiseProduct(acting.columns[c].segment(from, count));
+    }
   }
 
   /// Takes what the channels' noise has in common out of one row of each.
@@ -146,11 +149,8 @@ Products products_of(const BlockRows& block) {
   return p;
 }
 
-/// Places ascend, so that the lower half stays the lower half.
 void add_products(const Products& p, ColumnSums& sums) {
-  for (std::size_t c = 0; c < p.at.size(); ++c)
-    for (std::size_t r = c; r < p.at.size(); ++r)
-      sums.gram(p.at[r], p.at[c]) += p.gram(static_cast<Index>(r), static_cast<Index>(c));
+  sums.gram.add(p.at, p.gram);
   sums.target(p.at) += p.target;
   sums.deviance += p.deviance;
   sums.rows += p.rows;
@@ -177,14 +177,47 @@ void add_energies(const Design& design, const Hypotheses& all, std::size_t segme
   }
 }
 
-ColumnSums no_sums(const Design& design, const Hypotheses& all) {
+bool has_log_coefficients(const Hypotheses& all, const Shape& shape) {
+  const auto& linear = all.list[static_cast<std::size_t>(shape.hypothesis)].source->linear;
+  return std::any_of(linear.begin(), linear.end(),
+                     [](const LinearParameter& p) { return p.per_log; });
+}
+
+/// Channels x columns: 1 where a column can act in the training logs. What a held-out log alone
+/// has acts nowhere.
+MatrixXd acting_channels(const Design& design, const Hypotheses& all, const ColumnSums& sums) {
+  MatrixXd acts = MatrixXd::Zero(design.problem().channels, sums.target.size());
+  for (std::size_t s = 0; s < design.segments().size(); ++s) {
+    const Segment& segment = design.segments()[s];
+    if (segment.holdout) continue;
+    Index first = 0;
+    const auto take = [&](const MatrixXd& part, Index wide, bool look) {
+      for (Index c = 0; c < part.cols(); ++c)
+        if (!look || (part.col(c).array() != 0.0).any()) acts(segment.channel, first + c) = 1.0;
+      first += wide;
+    };
+    for (const Term& term : all.parts.base.terms)
+      take(term.columns[s], width_of(term.columns), false);
+    for (std::size_t i = 0; i < all.shapes.size(); ++i)
+      take(all.shapes[i].columns[s], sums.width[i], has_log_coefficients(all, all.shapes[i]));
+  }
+  return acts;
+}
+
+ColumnSums no_sums(const Design& design, const Hypotheses& all,
+                   const std::vector<SharedNoise>& shared) {
   ColumnSums sums;
   for (const Term& term : all.parts.base.terms) sums.free += width_of(term.columns);
   for (const Shape& shape : all.shapes) sums.width.push_back(width_of(shape.columns));
   const Index own = std::accumulate(sums.width.begin(), sums.width.end(), Index{0});
   const Index channels = design.problem().channels;
-  sums.gram = MatrixXd::Zero(sums.free + own, sums.free + own);
+  for (const SharedNoise& group : shared) {
+    sums.joined.emplace_back();
+    for (const std::size_t s : group.segments)
+      sums.joined.back().push_back(design.segments()[s].channel);
+  }
   sums.target = VectorXd::Zero(sums.free + own);
+  sums.gram = RegionProducts(Regions(acting_channels(design, all, sums), sums.joined));
   sums.energy = MatrixXd::Zero(channels, own);
   sums.acting = VectorXd::Zero(own);
   sums.measured = sums.samples = VectorXd::Zero(channels);
@@ -196,7 +229,7 @@ ColumnSums no_sums(const Design& design, const Hypotheses& all) {
 void ColumnSums::add(const ColumnSums& other) {
   if (free != other.free || width != other.width || measured.size() != other.measured.size())
     throw std::invalid_argument("sums of different columns do not add up");
-  gram.triangularView<Eigen::Lower>() += other.gram;
+  gram += other.gram;
   target += other.target;
   deviance += other.deviance;
   rows += other.rows;
@@ -222,8 +255,9 @@ std::vector<Block> blocks_of(const Weights& weights, const std::vector<SharedNoi
 }
 
 ColumnSums summed(const Design& design, const Hypotheses& all, const Weights& weights,
-                  const Weights& noise_share, const std::vector<Block>& blocks) {
-  ColumnSums sums = no_sums(design, all);
+                  const Weights& noise_share, const std::vector<SharedNoise>& shared) {
+  ColumnSums sums = no_sums(design, all, shared);
+  const std::vector<Block> blocks = blocks_of(weights, shared);
   // Added in their order, whichever is ready first: a sum's last bit depends on it.
   for (std::size_t from = 0; from < blocks.size(); from += kAtOnce) {
     std::vector<Products> part(std::min(kAtOnce, blocks.size() - from));
@@ -240,12 +274,11 @@ ColumnSums summed(const Design& design, const Hypotheses& all, const Weights& we
 }  // namespace
 
 ColumnSums column_sums(const Design& design, const Hypotheses& all, const Weights& weights) {
-  return summed(design, all, weights, {}, blocks_of(weights, {}));
+  return summed(design, all, weights, {}, {});
 }
 
 ColumnSums column_sums(const Design& design, const Hypotheses& all, const Whitening& whitening) {
-  return summed(design, all, whitening.training, whitening.noise_share,
-                blocks_of(whitening.training, whitening.shared));
+  return summed(design, all, whitening.training, whitening.noise_share, whitening.shared);
 }
 
 }  // namespace sinew::diagnosis

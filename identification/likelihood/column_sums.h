@@ -8,6 +8,7 @@
 
 #include "identification/likelihood/hypotheses.h"
 #include "identification/likelihood/noise_spectrum_fit.h"
+#include "identification/likelihood/regions.h"
 
 namespace sinew::diagnosis {
 
@@ -16,7 +17,7 @@ namespace sinew::diagnosis {
 struct ColumnSums {
   Eigen::Index free = 0;            ///< columns of the model's free part
   std::vector<Eigen::Index> width;  ///< of every shape: its columns; 0 for one that acts nowhere
-  Eigen::MatrixXd gram;             ///< the lower half; the upper one is not used
+  RegionProducts gram;
   Eigen::VectorXd target;
   double deviance = 0.0;     ///< whitened squares of the target
   double rows = 0.0;         ///< independent real rows
@@ -24,6 +25,7 @@ struct ColumnSums {
   Eigen::VectorXd acting;    ///< of each of those columns the samples of the channels it acts on
   Eigen::VectorXd measured;  ///< per channel: squares of what was measured in the band
   Eigen::VectorXd samples;   ///< per channel: how many count
+  std::vector<std::vector<int>> joined;  ///< channels that share their noise
 
   /// Of other logs. Throws std::invalid_argument where the columns are not as many.
   void add(const ColumnSums& other);

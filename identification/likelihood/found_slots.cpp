@@ -45,6 +45,7 @@ double evidence_of(const SmallErrors& errors, double share, const Slots& slots) 
 /// search knows of nothing else then.
 Slots named_if_as_good(SlotSearch& search, Slots best) {
   search.set_names_alone(true);
+  if (search.are_named(best)) return best;
   Slots named = search.from_rivals(search.find());
   if (named.log_posterior >= (1.0 - kFormError * kFormError) * best.log_posterior) return named;
   search.set_names_alone(false);

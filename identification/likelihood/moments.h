@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "identification/likelihood/column_sums.h"
+#include "identification/likelihood/regions.h"
 
 namespace sinew::diagnosis {
 
@@ -21,16 +22,19 @@ struct Moments {
   std::vector<Range> of_shape;
   std::vector<int> coefficient;  ///< of each column: which one of its shape's it is
   Eigen::VectorXd scale;         ///< a column's coefficient times this is in its own unit
-  Eigen::MatrixXd gram;
+  RegionProducts gram;
   Eigen::VectorXd target;
   double deviance = 0.0;  ///< of what the model leaves over
   double rows = 0.0;      ///< independent real rows of the logs
+
+  const Regions& regions() const { return gram.regions(); }
 };
 
 Moments moments_of(const ColumnSums& sums, const Hypotheses& all);
 Moments moments_of(const Design& design, const Hypotheses& all, const Whitening& whitening);
 
-/// Moments where every hypothesis is off by chance by a share of the rms of what was measured:
+/// Moments where every hypothesis of several shapes is off by chance by a share of the rms of what
+/// was measured:
 /// its columns are noise besides. The products are those of the whitened rows under that noise.
 class SmallErrors {
  public:
@@ -40,15 +44,24 @@ class SmallErrors {
   /// Gram matrix of some columns (rows) with some others.
   Eigen::MatrixXd gram(const std::vector<Eigen::Index>& rows,
                        const std::vector<Eigen::Index>& columns) const;
-  Eigen::MatrixXd gram_with_all(const std::vector<Eigen::Index>& columns) const;
   const Eigen::VectorXd& target() const { return target_; }
   /// log p(what was measured | no cause) up to what all shares have in common.
   double log_likelihood() const { return log_likelihood_; }
   const Moments& moments() const { return m_; }
 
  private:
+  /// What errors of some hypotheses take: their rows of the Cholesky factor's inverse times their
+  /// products with a region's columns. The Gram matrix less taken' taken of every region that both
+  /// columns have is the one under small errors.
+  struct Taken {
+    int region = Regions::kEverywhere;
+    Eigen::MatrixXd rows;
+  };
+  struct Errors;
+  void take(const Errors& errors, const std::vector<std::size_t>& which, int region);
+
   const Moments& m_;
-  Eigen::MatrixXd taken_;  ///< gram less taken' taken is the gram matrix under small errors
+  std::vector<Taken> taken_;
   Eigen::VectorXd target_;
   double log_likelihood_ = 0.0;
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "identification/likelihood/decision_constants.h"
 #include "identification/regression/body_limits.h"
@@ -58,10 +59,11 @@ struct SlotSearch::Posterior {
   VectorXd coefficients;
 };
 
-/// What the model with some entries leaves to all others.
+/// What the model with some entries leaves to a region's columns.
 struct SlotSearch::Fit : Posterior {
-  MatrixXd taken;   ///< its transpose times it: what the model takes of all columns' Gram matrix
-  VectorXd target;  ///< products of all columns with what is left over
+  int region = Regions::kEverywhere;
+  MatrixXd taken;   ///< its transpose times it: what the model takes of the columns' Gram matrix
+  VectorXd target;  ///< products of the columns with what is left over
 };
 
 SlotSearch::SlotSearch(const Hypotheses& all, const SmallErrors& errors, int most,
@@ -69,7 +71,19 @@ SlotSearch::SlotSearch(const Hypotheses& all, const SmallErrors& errors, int mos
     : all_(all),
       errors_(errors),
       most_(static_cast<std::size_t>(most)),
-      entries_(make_entries(all, errors, banned)) {}
+      entries_(make_entries(all, errors, banned)) {
+  for (const Entry& e : entries_) regions_.push_back(errors.moments().regions().of(e.columns));
+}
+
+const Hypothesis& SlotSearch::hypothesis_of(int entry) const {
+  return all_.list[static_cast<std::size_t>(entries_[static_cast<std::size_t>(entry)].hypothesis)];
+}
+
+/// Whether one of a region's columns can meet the entry's.
+bool SlotSearch::meets(int entry, int region) const {
+  return region == Regions::kEverywhere || region_of(entry) == Regions::kEverywhere ||
+         region_of(entry) == region;
+}
 
 /// Prior precision of the entries' columns: one over each slot's variance.
 VectorXd SlotSearch::precisions(const Slots& slots) const {
@@ -96,34 +110,46 @@ SlotSearch::Posterior SlotSearch::posterior(const Slots& slots) const {
   return p;
 }
 
-SlotSearch::Fit SlotSearch::fit(const Slots& slots) const {
-  Fit f{posterior(slots), {}, errors_.target()};
+SlotSearch::Fit SlotSearch::fit(const Slots& slots, int region) const {
+  const std::vector<Index>& columns = errors_.moments().regions().columns(region);
+  Fit f{posterior(slots), region, {}, errors_.target()(columns)};
   if (f.columns.empty()) return f;
-  const MatrixXd cross = errors_.gram_with_all(f.columns);
+  const MatrixXd cross = errors_.gram(columns, f.columns);
   f.target -= cross * f.coefficients;
   f.taken = f.lower.triangularView<Eigen::Lower>().solve(MatrixXd(cross.transpose()));
   return f;
 }
 
+/// An entry given the model, which is fitted in a region that the entry meets.
+ConditionalMoments SlotSearch::conditional(int entry, const Fit& given) const {
+  const Entry& e = entries_[static_cast<std::size_t>(entry)];
+  const std::vector<Index> at = errors_.moments().regions().places(given.region, e.columns);
+  ConditionalMoments m = e.alone;
+  m.target = given.target(at);
+  if (!given.columns.empty())
+    m.gram -= given.taken(Eigen::all, at).transpose() * given.taken(Eigen::all, at);
+  return m;
+}
+
 BayesFactor SlotSearch::factor(int entry, const Fit& given) const {
   const Entry& e = entries_[static_cast<std::size_t>(entry)];
-  ConditionalMoments m = e.alone;
-  m.target = given.target(e.columns);
-  if (!given.columns.empty())
-    m.gram -= given.taken(Eigen::all, e.columns).transpose() * given.taken(Eigen::all, e.columns);
+  const ConditionalMoments m = conditional(entry, given);
   // What the model spans already has nothing to say for itself.
   constexpr double kExcited = 1e-5;
   if (m.gram.diagonal().maxCoeff() < kExcited * e.alone.gram.diagonal().maxCoeff())
     return {kNever, 0.0};
+  // How improbable the improbable is nobody asks: a bound is enough.
+  constexpr double negligible = -20.0;
+  const double most = most_by_fit(m);
+  if (most + e.log_prior < negligible) return {most, kSmallestSize * kSmallestSize};
   return bayes_factor_of(m);
 }
 
+/// Of the entries whose columns a fit's region has.
 std::vector<double> SlotSearch::log_odds(const Slots& given, const Fit& f) const {
   std::vector<bool> taken(all_.list.size(), false);
   for (const int g : given.entries) {
-    const Candidate& held =
-        *all_.list[static_cast<std::size_t>(entries_[static_cast<std::size_t>(g)].hypothesis)]
-             .source;
+    const Candidate& held = *hypothesis_of(g).source;
     // One cause is named once, whatever its forms.
     for (std::size_t h = 0; h < all_.list.size(); ++h)
       if (all_.list[h].source->name == held.name && all_.list[h].source->place == held.place)
@@ -133,7 +159,7 @@ std::vector<double> SlotSearch::log_odds(const Slots& given, const Fit& f) const
   inner_loop(entries_.size(), [&](std::size_t i) {
     const Entry& e = entries_[i];
     const auto h = static_cast<std::size_t>(e.hypothesis);
-    if (!taken[h] && (all_.list[h].named || !names_alone_))
+    if (!taken[h] && meets(static_cast<int>(i), f.region) && (all_.list[h].named || !names_alone_))
       odds[i] = factor(static_cast<int>(i), f).logarithm + e.log_prior;
   });
   return odds;
@@ -164,17 +190,43 @@ bool SlotSearch::is_possible(int entry, const VectorXd& coefficients,
          source.possible(own, all_.shapes[static_cast<std::size_t>(e.shapes.front())].nonlinear);
 }
 
-bool SlotSearch::is_possible(const Slots& slots) const {
-  const Posterior f = posterior(slots);
-  const VectorXd errors = f.inverse.diagonal().cwiseMax(0.0).cwiseSqrt();
+bool SlotSearch::is_possible(const std::vector<int>& entries, const VectorXd& coefficients,
+                             const VectorXd& variances) const {
+  const VectorXd errors = variances.cwiseMax(0.0).cwiseSqrt();
   Index first = 0;
-  for (const int e : slots.entries) {
+  for (const int e : entries) {
     const auto wide = static_cast<Index>(entries_[static_cast<std::size_t>(e)].columns.size());
-    if (!is_possible(e, f.coefficients.segment(first, wide), errors.segment(first, wide)))
+    if (!is_possible(e, coefficients.segment(first, wide), errors.segment(first, wide)))
       return false;
     first += wide;
   }
   return true;
+}
+
+bool SlotSearch::is_possible(const Slots& slots) const {
+  const Posterior f = posterior(slots);
+  return is_possible(slots.entries, f.coefficients, f.inverse.diagonal());
+}
+
+/// Whether the slots, whose fit that is, are within their limits with one more entry: what it
+/// changes of their coefficients, by blocks of the inverse.
+bool SlotSearch::stays_possible(const Slots& given, const Fit& f, int entry,
+                                double variance) const {
+  ConditionalMoments m = conditional(entry, f);
+  m.gram.diagonal().array() += 1.0 / variance;
+  const Eigen::LLT<MatrixXd> factor(m.gram);
+  const VectorXd own = factor.solve(m.target);
+  const VectorXd own_variance = factor.solve(MatrixXd::Identity(own.size(), own.size())).diagonal();
+  if (!is_possible(entry, own, own_variance.cwiseSqrt())) return false;
+  if (given.entries.empty()) return true;
+  const std::vector<Index> at = errors_.moments().regions().places(
+      f.region, entries_[static_cast<std::size_t>(entry)].columns);
+  // What of the model's coefficients one of the entry's takes.
+  const MatrixXd taken =
+      f.lower.triangularView<Eigen::Lower>().transpose().solve(MatrixXd(f.taken(Eigen::all, at)));
+  const VectorXd more =
+      taken.cwiseProduct(factor.solve(taken.transpose()).transpose()).rowwise().sum();
+  return is_possible(given.entries, f.coefficients - taken * own, f.inverse.diagonal() + more);
 }
 
 /// The slots, whose fit that is, with one more entry, of the size that the data make most probable
@@ -184,9 +236,9 @@ Slots SlotSearch::sized(const Slots& given, const Fit& f, int entry) const {
 }
 
 /// With the entry of the largest odds above 0 that leaves every slot within its limits.
-std::optional<Slots> SlotSearch::with_best(const Slots& given) const {
+std::optional<Slots> SlotSearch::with_best(const Slots& given, int region) const {
   constexpr std::size_t most_tried = 40;
-  const Fit f = fit(given);
+  const Fit f = fit(given, region);
   const std::vector<double> odds = log_odds(given, f);
   std::vector<int> order;
   for (std::size_t e = 0; e < odds.size(); ++e)
@@ -199,18 +251,23 @@ std::optional<Slots> SlotSearch::with_best(const Slots& given) const {
                     by_odds);
   for (std::size_t k = 0; k < count; ++k) {
     Slots more = sized(given, f, order[k]);
-    if (is_possible(more)) return more;
+    if (stays_possible(given, f, order[k], more.variances.back())) return more;
   }
   return std::nullopt;
 }
 
-/// Every slot given the others: its best rival, or nothing. False: nothing has changed.
-bool SlotSearch::polish(Slots& slots) const {
+/// Every slot of a region, or all, given the others: its best rival where it acts, or nothing.
+/// False: nothing has changed.
+bool SlotSearch::polish(Slots& slots, int region) const {
   constexpr double same = 1e-6;  // of a variance: it is one of a few sizes
   bool changed = false;
   for (std::size_t i = 0; i < slots.entries.size();) {
+    if (region != Regions::kEverywhere && region_of(slots.entries[i]) != region) {
+      ++i;
+      continue;
+    }
     Slots others = without(slots, i);
-    const std::optional<Slots> best = with_best(others);
+    const std::optional<Slots> best = with_best(others, region_of(slots.entries[i]));
     if (!best) {
       slots = std::move(others);
       changed = true;
@@ -244,16 +301,18 @@ Slots SlotSearch::weighed(Slots slots) const {
   return slots;
 }
 
-void SlotSearch::settle(Slots& slots) const {
-  for (int sweep = 0; sweep < kMostSweeps && polish(slots); ++sweep) {
+void SlotSearch::settle(Slots& slots, int region) const {
+  for (int sweep = 0; sweep < kMostSweeps && polish(slots, region); ++sweep) {
   }
 }
 
-Slots SlotSearch::grown(Slots slots) const {
+/// By a region's entries. Slots that meet none of what was added stay as they are, and those that
+/// act everywhere wait until all regions are settled.
+Slots SlotSearch::grown(Slots slots, int region) const {
   while (slots.entries.size() < most_) {
-    std::optional<Slots> more = with_best(slots);
+    std::optional<Slots> more = with_best(slots, region);
     if (!more) break;
-    settle(*more);
+    settle(*more, region_of(more->entries.back()));
     const bool larger = more->entries.size() > slots.entries.size();
     slots = std::move(*more);
     if (!larger) break;
@@ -274,32 +333,39 @@ Slots SlotSearch::own_values() const {
 }
 
 Slots SlotSearch::find(Slots from) const {
-  settle(from);
-  return grown(std::move(from));
+  settle(from, Regions::kEverywhere);
+  Slots found = grown(std::move(from), Regions::kEverywhere);
+  if (errors_.moments().regions().count() == 1) return found;
+  settle(found, Regions::kEverywhere);
+  return weighed(std::move(found));
 }
 
 Slots SlotSearch::find() const {
-  const Slots from_nothing = grown({});
+  const Slots from_nothing = find({});
   const Slots from_own = find(own_values());
   const bool own_are_better = from_own.entries.size() <= most_ && is_possible(from_own) &&
                               from_own.log_posterior > from_nothing.log_posterior + 1e-6;
   return own_are_better ? from_own : from_nothing;
 }
 
-/// Beginnings of other searches: a slot's best rivals in its place. Structure without a name hides
-/// the names that it explains as well: its best rivals with a name begin one each, too.
-std::vector<Slots> SlotSearch::other_starts(const Slots& found) const {
+/// Beginnings of other searches: the best rivals of a region's slots in their place. Structure
+/// without a name hides the names that it explains as well: its best rivals with a name begin one
+/// each, too.
+std::vector<Slots> SlotSearch::other_starts(const Slots& found, int region) const {
   std::vector<Slots> starts;
   for (std::size_t i = 0; i < found.entries.size(); ++i) {
+    if (region_of(found.entries[i]) != region) continue;
     const Slots others = without(found, i);
-    const Fit f = fit(others);
-    const int own = entries_[static_cast<std::size_t>(found.entries[i])].hypothesis;
-    const bool hides = !all_.list[static_cast<std::size_t>(own)].named;
+    const Fit f = fit(others, region);
+    const bool hides = !hypothesis_of(found.entries[i]).named;
     std::size_t tried = 0, names = 0;
-    for (const Rival& rival : rivals(found, i)) {
-      if (rival.log_odds <= 0.0) break;
-      if (rival.hypothesis == own) continue;
-      const bool is_name = hides && all_.list[static_cast<std::size_t>(rival.hypothesis)].named;
+    const std::vector<Rival> list = rivals(found, i);
+    for (const Rival& rival : list) {
+      // Of two that together say what one says, one says half of it.
+      if (rival.log_odds <= 0.5 * list.front().log_odds) break;
+      if (rival.hypothesis == entries_[static_cast<std::size_t>(found.entries[i])].hypothesis)
+        continue;
+      const bool is_name = hides && hypothesis_of(rival.entry).named;
       if (tried >= kRivals && !(is_name && names < kRivals)) continue;
       ++tried;
       names += is_name ? 1 : 0;
@@ -309,16 +375,24 @@ std::vector<Slots> SlotSearch::other_starts(const Slots& found) const {
   return starts;
 }
 
-Slots SlotSearch::from_rivals(const Slots& found) const {
-  const std::vector<Slots> starts = other_starts(found);
+Slots SlotSearch::from_rivals(const Slots& found, int region) const {
+  const std::vector<Slots> starts = other_starts(found, region);
   std::vector<Slots> ends(starts.size());
   tbb::parallel_for(0, static_cast<int>(starts.size()), [&](int i) {
     const auto k = static_cast<std::size_t>(i);
-    ends[k] = is_possible(starts[k]) ? grown(starts[k]) : Slots{};
+    ends[k] = is_possible(starts[k]) ? grown(starts[k], region) : Slots{};
   });
   Slots best = found;
   for (const Slots& end : ends)
     if (end.log_posterior > best.log_posterior + 1e-6) best = end;
+  return best;
+}
+
+Slots SlotSearch::from_rivals(const Slots& found) const {
+  std::set<int> regions;
+  for (const int e : found.entries) regions.insert(region_of(e));
+  Slots best = found;
+  for (const int region : regions) best = from_rivals(best, region);
   return best;
 }
 
@@ -343,11 +417,12 @@ std::vector<Rival> SlotSearch::ranked(const std::vector<double>& odds) const {
 
 std::vector<Rival> SlotSearch::rivals(const Slots& slots, std::size_t slot) const {
   const Slots others = without(slots, slot);
-  const Fit f = fit(others);
+  const Fit f = fit(others, region_of(slots.entries[slot]));
   std::vector<double> odds = log_odds(others, f);
-  inner_loop(odds.size(), [&](std::size_t e) {
+  inner_loop(odds.size(), [&](std::size_t i) {
+    const auto e = static_cast<int>(i);
     // What nothing is more probable than needs no look at its limits.
-    if (odds[e] > 0.0 && !is_possible(sized(others, f, static_cast<int>(e)))) odds[e] = kNever;
+    if (odds[i] > 0.0 && !stays_possible(others, f, e, factor(e, f).variance)) odds[i] = kNever;
   });
   return ranked(odds);
 }
@@ -369,6 +444,11 @@ std::vector<Rival> SlotSearch::credible(const Slots& slots, std::size_t slot) co
   return list;
 }
 
+bool SlotSearch::are_named(const Slots& slots) const {
+  return std::all_of(slots.entries.begin(), slots.entries.end(),
+                     [&](int e) { return hypothesis_of(e).named; });
+}
+
 Slots SlotSearch::with_names(Slots slots) const {
   const auto is_named = [&](int hypothesis) {
     return all_.list[static_cast<std::size_t>(hypothesis)].named;
@@ -378,14 +458,15 @@ Slots SlotSearch::with_names(Slots slots) const {
     const auto named = std::find_if(set.begin(), set.end(),
                                     [&](const Rival& r) { return is_named(r.hypothesis); });
     if (named == set.end() || named->entry == slots.entries[i]) continue;
+    const Fit f = fit(without(slots, i), region_of(slots.entries[i]));
+    slots.variances[i] = factor(named->entry, f).variance;
     slots.entries[i] = named->entry;
-    slots.variances[i] = factor(named->entry, fit(without(slots, i))).variance;
   }
   return weighed(std::move(slots));
 }
 
 std::vector<Rival> SlotSearch::on_top(const Slots& slots) const {
-  return ranked(log_odds(slots, fit(slots)));
+  return ranked(log_odds(slots, fit(slots, Regions::kEverywhere)));
 }
 
 VectorXd SlotSearch::coefficients(const Slots& slots, std::size_t slot) const {

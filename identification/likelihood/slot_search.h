@@ -35,6 +35,9 @@ class SlotSearch {
   /// Whether structure without a name is left out; at first it is not.
   void set_names_alone(bool alone) { names_alone_ = alone; }
 
+  /// Whether all slots have a physical name.
+  bool are_named(const Slots& slots) const;
+
   /// Grown from nothing, and from all values of the model's own, by the best entry each, every slot
   /// exchanged for its best rival after every step; the better one. From nothing alone, a form of
   /// friction that stands for a level and a slope is never given back for the two.
@@ -60,21 +63,29 @@ class SlotSearch {
   struct Posterior;
   struct Fit;
   Posterior posterior(const Slots& slots) const;
-  Fit fit(const Slots& slots) const;
+  Fit fit(const Slots& slots, int region) const;
+  int region_of(int entry) const { return regions_[static_cast<std::size_t>(entry)]; }
+  const Hypothesis& hypothesis_of(int entry) const;
+  bool meets(int entry, int region) const;
   std::vector<double> log_odds(const Slots& given, const Fit& f) const;
+  ConditionalMoments conditional(int entry, const Fit& given) const;
   BayesFactor factor(int entry, const Fit& given) const;
   Eigen::VectorXd precisions(const Slots& slots) const;
   bool is_possible(const Slots& slots) const;
+  bool is_possible(const std::vector<int>& entries, const Eigen::VectorXd& coefficients,
+                   const Eigen::VectorXd& variances) const;
   bool is_possible(int entry, const Eigen::VectorXd& coefficients,
                    const Eigen::VectorXd& errors) const;
+  bool stays_possible(const Slots& given, const Fit& f, int entry, double variance) const;
   Slots sized(const Slots& given, const Fit& f, int entry) const;
-  std::optional<Slots> with_best(const Slots& given) const;
+  std::optional<Slots> with_best(const Slots& given, int region) const;
   std::vector<Rival> ranked(const std::vector<double>& odds) const;
-  bool polish(Slots& slots) const;
-  void settle(Slots& slots) const;
+  bool polish(Slots& slots, int region) const;
+  void settle(Slots& slots, int region) const;
   Slots own_values() const;
-  Slots grown(Slots slots) const;
-  std::vector<Slots> other_starts(const Slots& found) const;
+  Slots grown(Slots slots, int region) const;
+  std::vector<Slots> other_starts(const Slots& found, int region) const;
+  Slots from_rivals(const Slots& found, int region) const;
   Slots weighed(Slots slots) const;
 
   const Hypotheses& all_;
@@ -82,6 +93,7 @@ class SlotSearch {
   std::size_t most_;
   bool names_alone_ = false;
   std::vector<Entry> entries_;
+  std::vector<int> regions_;  ///< of every entry
 };
 
 }  // namespace sinew::diagnosis

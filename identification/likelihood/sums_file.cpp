@@ -40,13 +40,11 @@ Json doubles(const MatrixXd& values) {
 }
 
 /// Column by column, from the diagonal down.
-VectorXd lower_triangle(const MatrixXd& gram) {
-  VectorXd lower(gram.rows() * (gram.rows() + 1) / 2);
+VectorXd lower_triangle(const RegionProducts& gram) {
+  VectorXd lower(gram.size() * (gram.size() + 1) / 2);
   Index at = 0;
-  for (Index c = 0; c < gram.cols(); ++c) {
-    lower.segment(at, gram.rows() - c) = gram.col(c).tail(gram.rows() - c);
-    at += gram.rows() - c;
-  }
+  for (Index c = 0; c < gram.size(); ++c)
+    for (Index r = c; r < gram.size(); ++r) lower(at++) = gram(r, c);
   return lower;
 }
 
@@ -127,12 +125,13 @@ LogSums sums_in(const Json& j) {
     throw std::runtime_error("too many columns");
   const Index all = c.free + own;
   const VectorXd lower = read_doubles(j, "gram", all * (all + 1) / 2);
-  c.gram = MatrixXd::Zero(all, all);
+  MatrixXd gram = MatrixXd::Zero(all, all);
   Index at = 0;
   for (Index k = 0; k < all; ++k) {
-    c.gram.col(k).tail(all - k) = lower.segment(at, all - k);
+    gram.col(k).tail(all - k) = lower.segment(at, all - k);
     at += all - k;
   }
+  c.gram = RegionProducts(gram);
   c.target = read_doubles(j, "target", all);
   j.at("deviance").get_to(c.deviance);
   j.at("rows").get_to(c.rows);

@@ -38,11 +38,15 @@ Candidate unnamed(CandidateKind kind, const std::string& depends_on, int axis, i
   return c;
 }
 
-void add_coefficients(Candidate& c, int count, bool per_stretch = false) {
+/// What a coefficient is one for.
+enum class OneFor { all_logs, each_log, each_stretch };
+
+void add_coefficients(Candidate& c, int count, OneFor one = OneFor::all_logs) {
   for (int k = 0; k < count; ++k) {
     LinearParameter p;
     p.name = std::string("b").append(std::to_string(k));
-    p.per_log = p.per_stretch = per_stretch;
+    p.per_log = one != OneFor::all_logs;
+    p.per_stretch = one == OneFor::each_stretch;
     c.linear.push_back(p);
   }
 }
@@ -114,7 +118,7 @@ Candidate stroke_by_stroke(double rest, int stretches, bool by_direction, int ax
                         by_direction ? "the stroke x direction" : "the stroke", axis, channel);
   constexpr int of_all = 40, least = 2;
   const int most = std::max(least, of_all / std::max(1, stretches));
-  add_coefficients(c, most, true);
+  add_coefficients(c, most, OneFor::each_stretch);
   c.columns = [=](const Recording& log, int, const VectorXd&) {
     const std::vector<int> strokes = stroke_numbers(log.qd.col(axis), rest);
     const int count = strokes.empty() ? 1 : strokes.back() + 1;
@@ -134,7 +138,7 @@ Candidate any_period_in_position(const FlexibleRanges& r, int axis, int channel)
   Candidate c = unnamed(CandidateKind::flexible, "position, periodically", axis, channel);
   c.name = "any period in position";
   c.nonlinear = {visible_periods(r)};
-  add_coefficients(c, 2, true);
+  add_coefficients(c, 2, OneFor::each_log);
   c.columns = [axis](const Recording& log, int, const VectorXd& p) {
     return sine_and_cosine(2.0 * pi * p(0) * log.q.col(axis));
   };
@@ -146,7 +150,7 @@ Candidate any_swing_of_friction(const FlexibleRanges& r, double soft, int axis, 
   Candidate c = unnamed(CandidateKind::flexible, "time, periodically x direction", axis, channel);
   c.name = "friction swinging at any rate";
   c.nonlinear = {{"swings per second", "Hz", 1.0 / r.duration, 30.0 / r.duration, 58, false}};
-  add_coefficients(c, 2, true);
+  add_coefficients(c, 2, OneFor::each_log);
   c.columns = [axis, soft](const Recording& log, int, const VectorXd& p) {
     return MatrixXd(direction(log, axis, soft).matrix().asDiagonal() *
                     sine_and_cosine(2.0 * pi * p(0) * log.time));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Bayes factor of an entry against integrals done by brute force.
+#include <Eigen/LU>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -79,4 +80,21 @@ TEST_CASE("a normal's probability is exact far into its tails") {
   CHECK(log_probability_between(0.0, infinite, -30.0, 1.0) ==
         Approx(-0.5 * 900.0 - std::log(30.0 * std::sqrt(2.0 * 3.14159265358979))).epsilon(1e-3));
   CHECK(log_probability_between(-infinite, infinite, 5.0, 1.0) == Approx(0.0).margin(1e-12));
+}
+
+// Seen red with a half of it.
+TEST_CASE("a Bayes factor is no more than the best fit's, whatever the limits") {
+  for (const double target : {0.0, 3.0, 15.0, -40.0, 4000.0})
+    for (const auto& [low, high] :
+         {std::pair{-infinite, infinite}, {0.0, infinite}, {-0.02, 0.3}, {0.01, 0.05}}) {
+      const ConditionalMoments m = one_column(10000.0, target, low, high);
+      CHECK(bayes_factor_of(m).logarithm <= most_by_fit(m) + 1e-9);
+    }
+  ConditionalMoments two;
+  two.gram = (Eigen::Matrix2d() << 400.0, 390.0, 390.0, 500.0).finished();
+  two.target = Eigen::Vector2d(150.0, -200.0);
+  two.low = Eigen::Vector2d(0.0, -infinite);
+  two.high = Eigen::Vector2d(infinite, infinite);
+  CHECK(bayes_factor_of(two).logarithm <= most_by_fit(two));
+  CHECK(most_by_fit(two) == Approx(0.5 * two.target.dot(two.gram.inverse() * two.target)));
 }

@@ -2,6 +2,7 @@
 // The search over products that are made up, so that it is known where it can get stuck.
 #include "identification/likelihood/slot_search.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 namespace {
@@ -31,7 +32,7 @@ struct MadeUp {
     for (Eigen::Index c = 0; c < columns.cols(); ++c) m.of_shape.push_back({c, 1});
     m.coefficient.assign(static_cast<std::size_t>(columns.cols()), 0);
     m.scale = VectorXd::Ones(columns.cols());
-    m.gram = columns.transpose() * columns;
+    m.gram = RegionProducts(MatrixXd(columns.transpose() * columns));
     m.target = columns.transpose() * y;
     m.deviance = y.squaredNorm();
     m.rows = 1000.0;
@@ -80,4 +81,56 @@ TEST_CASE("slots that are given are polished, and dropped where nothing is behin
   const SlotSearch search(made.all, errors, 8, std::vector<bool>(3, false));
   CHECK(found_of(search.find(Slots{{0, 1}, {0.01, 0.01}, 0.0})) == std::vector<int>{1});
   CHECK(found_of(search.find(Slots{{2}, {0.01}, 0.0})) == std::vector<int>{1});
+}
+
+// Seen red with limits looked at for what is added alone.
+TEST_CASE("what is added may not push what was found beyond its limits") {
+  constexpr double size = 400.0, apart = 80.0;
+  MatrixXd x = MatrixXd::Zero(3, 3);
+  x.col(0) << size, apart, 0.0;
+  x.col(1) << size, 0.0, 0.0;
+  x.col(2) << 0.0, 0.0, size;
+  const VectorXd y = 0.5 * x.col(0) - 0.2 * x.col(1);
+  const auto is_rival = [&](double low) {
+    MadeUp made({0, 1, 2});
+    made.sources[1].linear[0].low = low;
+    const Moments m = made.moments(x, y);
+    const SmallErrors errors(m, made.all, 0.0);
+    const SlotSearch search(made.all, errors, 8, std::vector<bool>(3, false));
+    const std::vector<Rival> list = search.rivals({{1, 2}, {0.01, 0.01}, 0.0}, 1);
+    return std::any_of(list.begin(), list.end(), [](const Rival& r) { return r.hypothesis == 0; });
+  };
+  CHECK(is_rival(-1.0));
+  CHECK_FALSE(is_rival(0.0));
+}
+
+// Two joints with two causes each that resemble each other, and a link that acts on both.
+TEST_CASE("joints that do not meet are searched each by itself, and what acts on both with them") {
+  const MadeUp made({0, 1, 2, 3, 4});
+  constexpr double size = 300.0;
+  MatrixXd x = MatrixXd::Zero(6, 5), acts = MatrixXd::Zero(2, 5);
+  x.col(0).head(3) << size, 0.0, 0.0;
+  x.col(1).head(3) << 0.9 * size, 0.3 * size, 0.0;
+  x.col(2).tail(3) << size, 0.0, 0.0;
+  x.col(3).tail(3) << 0.9 * size, 0.3 * size, 0.0;
+  x.col(4) << 0.0, 0.0, size, 0.0, 0.0, size;
+  acts.row(0) << 1.0, 1.0, 0.0, 0.0, 1.0;
+  acts.row(1) << 0.0, 0.0, 1.0, 1.0, 1.0;
+  const VectorXd y = 0.2 * x.col(1) + 0.2 * x.col(2) + 0.1 * x.col(4);
+  const auto found = [&](const Regions& regions) {
+    Moments m = made.moments(x, y);
+    const MatrixXd dense = m.gram.dense();
+    m.gram = RegionProducts(regions);
+    for (Eigen::Index c = 0; c < 5; ++c)
+      for (Eigen::Index r = c; r < 5; ++r) m.gram.set(r, c, dense(r, c));
+    const SmallErrors errors(m, made.all, 1e-3);
+    const SlotSearch search(made.all, errors, 8, std::vector<bool>(5, false));
+    const Slots slots = search.from_rivals(search.find());
+    CHECK(slots.log_posterior > 0.0);
+    return std::pair{found_of(slots), slots.log_posterior};
+  };
+  const auto by_joint = found(Regions(acts, {})), at_once = found(Regions(5));
+  CHECK(by_joint.first == std::vector<int>{1, 2, 4});
+  CHECK(at_once.first == by_joint.first);
+  CHECK(by_joint.second == Approx(at_once.second).epsilon(1e-9));
 }

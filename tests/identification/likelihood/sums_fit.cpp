@@ -11,7 +11,7 @@ TEST_CASE("products of columns tell what their rows would") {
   const Eigen::MatrixXd x = Eigen::MatrixXd::Random(40, 5);
   const Eigen::VectorXd y = Eigen::VectorXd::Random(40);
   ColumnSums sums;
-  sums.gram = (x.transpose() * x).triangularView<Eigen::Lower>();
+  sums.gram = RegionProducts(x.transpose() * x);
   sums.target = x.transpose() * y;
   sums.deviance = y.squaredNorm();
   const std::vector<Eigen::Index> some{4, 1, 2};

@@ -125,3 +125,19 @@ TEST_CASE("many logs have no more columns for their strokes than one") {
       }
   }
 }
+
+// A ripple's phase is one for a log, however many stretches are read of it; a stroke's level is
+// each stretch's own. Seen red with phases of each stretch, eighteen columns a period.
+TEST_CASE("what swings has a phase for each log, strokes have levels for each stretch") {
+  for (const diagnosis::Candidate& c :
+       diagnosis::flexible_families({-1.0, 1.0, 2.0, 0.0, 20.0, 3.0}, 0, 0)) {
+    INFO(c.name);
+    const bool swings =
+        c.name == "any period in position" || c.name == "friction swinging at any rate";
+    const bool strokes = c.name.find("stroke") != std::string::npos;
+    for (const diagnosis::LinearParameter& p : c.linear) {
+      CHECK(p.per_log == (swings || strokes));
+      CHECK(p.per_stretch == strokes);
+    }
+  }
+}
