@@ -34,8 +34,8 @@ VectorXd crosswise(const VectorXd& residual, const MatrixXd& columns) {
 /// is in the joints' torques as well, would find itself. A motor's load is the force as it is.
 Recording with_slow_tension(const Recording& log) {
   Recording slow = log;
-  const auto tension = slow.signals.find("slow_tension");
-  if (tension != slow.signals.end()) slow.signals["tension"] = tension->second;
+  if (const MatrixXd* tension = log.signals.find("slow_tension"))
+    slow.signals["tension"] = *tension;
   return slow;
 }
 

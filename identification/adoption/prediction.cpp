@@ -73,8 +73,8 @@ class Predicted {
 
  private:
   VectorXd tensions(Index sample) const {
-    const auto found = log_.signals.find("tension");
-    return found == log_.signals.end() ? VectorXd() : row_of(found->second, sample);
+    const MatrixXd* found = log_.signals.find("tension");
+    return found ? row_of(*found, sample) : VectorXd();
   }
 
   const Recording& log_;
@@ -106,9 +106,9 @@ Plant plant_of(const Drives& drives, const Recording& log) {
     add("tau_" + names.back(), effort);
     if (log.load.size() > 0) add("load_" + names.back(), log.load.col(j));
   }
-  if (const auto found = log.signals.find("tension"); found != log.signals.end())
-    for (Index t = 0; t < found->second.cols(); ++t)
-      add("tension_" + std::to_string(t + 1), found->second.col(t));
+  if (const MatrixXd* found = log.signals.find("tension"))
+    for (Index t = 0; t < found->cols(); ++t)
+      add("tension_" + std::to_string(t + 1), found->col(t));
   return driven_plant(drives, names, scenario);
 }
 

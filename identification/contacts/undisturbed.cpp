@@ -84,10 +84,12 @@ std::optional<NamedCause> find_undisturbed(const Search& search, const Settings&
   if (explanation.selection.model.terms.empty()) return std::nullopt;
   const Model found = with_lines(subject, explanation.selection.model);
   const Problem& problem = subject.problem();
-  const Design design = evenly_banded(problem, settings);
-  const FitInTime whole(design, with_everything(subject, explanation));
+  // A design holds thinned copies of the logs: none is kept while the search has its own.
+  std::optional<Design> design(evenly_banded(problem, settings));
+  const FitInTime whole(*design, with_everything(subject, explanation));
   // What no known causes together explain is plainest; few of them may hide less of it.
-  Disturbances seen = find_disturbances(FitInTime(design, saturated(problem, found)));
+  Disturbances seen = find_disturbances(FitInTime(*design, saturated(problem, found)));
+  design.reset();
   if (!seen.in_training()) seen = find_disturbances(whole);
   for (int left = kMostSearches; seen.in_training() && left > 0; --left) {
     DrivenSubject rest = subject;
@@ -95,7 +97,7 @@ std::optional<NamedCause> find_undisturbed(const Search& search, const Settings&
     std::optional<FitInTime> outside;
     std::optional<Disturbances> plainer;
     Explanation other = search(rest, [&](const Explanation& e) {
-      outside.emplace(design, with_everything(rest, e));
+      outside.emplace(evenly_banded(problem, settings), with_everything(rest, e));
       if (left == 1) return true;
       // With causes that no push has spoilt it is plainer what is disturbed, in held-out logs too.
       Disturbances again = find_disturbances(*outside);

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "identification/regression/signals.h"
+
 namespace sinew::diagnosis {
 
 /// A stretch of a log's time [s], for instance one in which a joint rests.
@@ -33,9 +35,10 @@ struct Recording {
   Eigen::MatrixXd temperature;     ///< deg C
   Eigen::VectorXd payload;         ///< mass [kg] of a load that is known to be carried; empty: none
   Eigen::MatrixXd payload_effort;  ///< what it asks of the joints: samples x joints; empty: none
-  std::map<std::string, Eigen::MatrixXd> signals;  ///< anything else a candidate wants
-  /// The same, of so many columns that copies of the recording share them.
-  std::map<std::string, std::shared_ptr<const Eigen::MatrixXd>> wide_signals;
+  Signals signals;                 ///< anything else a candidate wants
+  /// The same, of so many columns that single precision is enough; it rounds them far below any
+  /// noise.
+  std::map<std::string, std::shared_ptr<const Eigen::MatrixXf>> wide_signals;
   std::vector<Eigen::VectorXd> target;  ///< per channel: what is measured, force domain
   /// Per channel: what the model under test says of the target; empty: nothing. It is subtracted,
   /// at the model's time, and moves with a delay as every other term does.
@@ -52,8 +55,8 @@ struct Recording {
 
   /// As effects see it: qdd, or the signal "acceleration" where qdd is partly a sensor's noise.
   const Eigen::MatrixXd& acceleration() const {
-    const auto seen = signals.find("acceleration");
-    return seen == signals.end() ? qdd : seen->second;
+    const Eigen::MatrixXd* seen = signals.find("acceleration");
+    return seen ? *seen : qdd;
   }
 };
 

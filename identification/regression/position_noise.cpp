@@ -69,10 +69,9 @@ bool noise_of_position(const std::vector<const Recording*>& logs, Index joint) {
 }
 
 Motion motion_as_read(const Recording& log) {
-  const auto read = log.signals.find("read_q");
-  if (read == log.signals.end() || read->second.rows() != log.q.rows())
-    return {log.q, log.qd, log.qdd};
-  return {read->second, log.signals.at("read_qd"), log.signals.at("read_qdd")};
+  const Eigen::MatrixXd* read = log.signals.find("read_q");
+  if (!read || read->rows() != log.q.rows()) return {log.q, log.qd, log.qdd};
+  return {*read, log.signals.at("read_qd"), log.signals.at("read_qdd")};
 }
 
 double noise_of_jounce(const std::vector<const Recording*>& logs, Index joint, double quantum) {

@@ -36,9 +36,8 @@ struct SignalSamples {
     samples[1] = column(log.qd);
     samples[2] = column(log.acceleration());
     samples[3] = column(log.signals.at("jounce"));
-    const auto carried = log.signals.find("carried");
-    if (carried != log.signals.end())
-      samples[4] = column(carried->second);
+    if (const MatrixXd* carried = log.signals.find("carried"))
+      samples[4] = column(*carried);
     else if (log.load.size() > 0)
       samples[4] = column(log.load);
     samples[5] = log.time.data();
@@ -46,10 +45,8 @@ struct SignalSamples {
     value[7] = log.step;
     start = log.started();
     constexpr const char* of_links[] = {"parting", "carried_inertia", "carried_jounce"};
-    for (std::size_t k = 0; k < std::size(of_links); ++k) {
-      const auto found = log.signals.find(of_links[k]);
-      if (found != log.signals.end()) samples[8 + k] = column(found->second);
-    }
+    for (std::size_t k = 0; k < std::size(of_links); ++k)
+      if (const MatrixXd* found = log.signals.find(of_links[k])) samples[8 + k] = column(*found);
   }
   void read(Index row, double* in) const {
     for (std::size_t s = 0; s < samples.size(); ++s)

@@ -95,8 +95,8 @@ class Judge {
     template_.time = VectorXd::LinSpaced(thinned.count, 0.0,
                                          template_.step * static_cast<double>(thinned.count - 1));
     if (recording.load.size() > 0) template_.load = thinned(recording.load);
-    const auto tension = recording.signals.find("tension");
-    if (tension != recording.signals.end()) template_.signals["tension"] = thinned(tension->second);
+    if (const MatrixXd* tension = recording.signals.find("tension"))
+      template_.signals["tension"] = thinned(*tension);
   }
 
   void run() {

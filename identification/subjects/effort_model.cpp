@@ -20,9 +20,8 @@ constexpr Index kBlock = 2048;  // samples whose inputs stay in the cache
 void take_logged(const Recording& log, const std::vector<EffortSlot>& slots, Index first,
                  Eigen::Ref<MatrixXd> in) {
   const auto signal = [&](const char* name, const EffortSlot& slot) {
-    const auto found = log.signals.find(name);
-    if (found != log.signals.end())
-      in.middleRows(slot.at, slot.count) = found->second.middleRows(first, in.cols()).transpose();
+    if (const MatrixXd* found = log.signals.find(name))
+      in.middleRows(slot.at, slot.count) = found->middleRows(first, in.cols()).transpose();
   };
   for (const EffortSlot& slot : slots) {
     switch (slot.input) {

@@ -211,10 +211,10 @@ Candidate free_centre(const KnownPayload& payload) {
   }
   c.columns = [signal = centre_signal(payload)](const Recording& log, int channel,
                                                 const VectorXd&) -> MatrixXd {
-    const auto moments = log.signals.find(signal);
+    const MatrixXd* moments = log.signals.find(signal);
     // A motion that is proposed carries no load.
-    if (moments == log.signals.end()) return MatrixXd::Zero(log.q.rows(), kCentreColumns);
-    return moments->second.middleCols(channel * kCentreColumns, kCentreColumns);
+    if (!moments) return MatrixXd::Zero(log.q.rows(), kCentreColumns);
+    return moments->middleCols(channel * kCentreColumns, kCentreColumns);
   };
   return c;
 }

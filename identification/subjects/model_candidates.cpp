@@ -55,17 +55,16 @@ MatrixXd changed_effort(const EffortModel& effort, const Recording& log, int axi
 }
 
 MatrixXd logged_effort(const EffortModel& effort, const Recording& log) {
-  const auto found = log.signals.find(effort_of_logged_motion);
-  return found != log.signals.end() ? found->second : effort(log);
+  const MatrixXd* found = log.signals.find(effort_of_logged_motion);
+  return found ? *found : effort(log);
 }
 
 /// Change of the axis' own effort for a small change of its motion, per `size`.
 VectorXd response(const EffortModel& effort, const Recording& log, int axis, const Motion& change,
                   double size) {
-  const auto found = log.signals.find(effort_of_logged_motion);
-  const VectorXd now = found != log.signals.end()
-                           ? VectorXd(found->second.col(axis))
-                           : effort.of_joint(axis, log, log.q, log.qd, log.qdd);
+  const MatrixXd* found = log.signals.find(effort_of_logged_motion);
+  const VectorXd now =
+      found ? VectorXd(found->col(axis)) : effort.of_joint(axis, log, log.q, log.qd, log.qdd);
   const Motion motion = changed_motion(log, axis, change, size);
   return (effort.of_joint(axis, log, motion.q, motion.qd, motion.qdd) - now) / size;
 }

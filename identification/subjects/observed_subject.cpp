@@ -65,7 +65,7 @@ MatrixXd ObservedModel::operator()(const Recording& log, const VectorXd& deviati
     const sinew_argument& argument = function.inputs[i];
     const std::string name = argument.name;
     const Index count = size_of(argument);
-    const auto given = log.signals.find(name);
+    const MatrixXd* given = log.signals.find(name);
     if (instead && instead->contains(name))
       slots.push_back({&instead->at(name), at, count});
     else if (name == "step")
@@ -76,8 +76,8 @@ MatrixXd ObservedModel::operator()(const Recording& log, const VectorXd& deviati
       in.segment(at, count) = deviation;
     else if (name == "shape")
       in.segment(at, count) = shape;
-    else if (given != log.signals.end())
-      slots.push_back({&given->second, at, count});
+    else if (given)
+      slots.push_back({given, at, count});
     else
       throw std::logic_error("the recording has no signal '" + name + "'");
     at += count;
@@ -200,8 +200,8 @@ void ObservedSubject::add_effect(std::size_t index) {
   c.columns = [derivative, key, channels, acts = effect.outputs](
                   const Recording& log, int channel, const VectorXd& nonlinear) -> MatrixXd {
     if (!acts.empty() && std::find(acts.begin(), acts.end(), channel) == acts.end()) return {};
-    const auto cached = log.signals.find(key);
-    const MatrixXd all = cached != log.signals.end() ? cached->second : derivative(log, nonlinear);
+    const MatrixXd* cached = log.signals.find(key);
+    const MatrixXd all = cached ? *cached : derivative(log, nonlinear);
     MatrixXd columns(all.rows(), all.cols() / channels);
     for (Index p = 0; p < columns.cols(); ++p) columns.col(p) = all.col(p * channels + channel);
     return columns;

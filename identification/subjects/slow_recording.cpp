@@ -45,11 +45,10 @@ Recording slow_recording(const Recording& recording) {
   if (recording.load.size() > 0) slow.load = smooth(recording.load);
   if (recording.payload.size() > 0) slow.payload = thinned(recording.payload);
   if (recording.payload_effort.size() > 0) slow.payload_effort = smooth(recording.payload_effort);
-  const auto found = [&](const char* name) { return recording.signals.find(name); };
-  if (const auto tension = found("tension"); tension != recording.signals.end())
-    slow.signals["tension"] = smooth(tension->second);
-  if (const auto arms = found("moment_arm"); arms != recording.signals.end())
-    slow.signals["moment_arm"] = thinned(arms->second);
+  if (const MatrixXd* tension = recording.signals.find("tension"))
+    slow.signals["tension"] = smooth(*tension);
+  if (const MatrixXd* arms = recording.signals.find("moment_arm"))
+    slow.signals["moment_arm"] = thinned(*arms);
   return slow;
 }
 
