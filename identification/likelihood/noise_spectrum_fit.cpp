@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -186,13 +187,15 @@ double SmoothSpectrum::at(double frequency_hz) const {
 
 namespace {
 
-/// Fisher scoring of the first `count` coefficients; the others are 0.
+/// Fisher scoring of all coefficients; of the cosines' alone where the rise is given.
 SmoothSpectrum scored(const std::vector<BinEnergy>& bins, double band_hz, double flat_rows,
-                      Index count) {
+                      std::optional<double> rise) {
+  const Index count = rise ? kCosines + 1 : kCosines + 2;
   // A cosine's square is a half in the mean.
   VectorXd prior = VectorXd::Constant(count, 0.5 * flat_rows);
   prior(0) = 0.0;
   SmoothSpectrum spectrum{VectorXd::Zero(kCosines + 2), band_hz};
+  spectrum.coefficients(kCosines + 1) = rise.value_or(0.0);
   double energy = 1e-300, freedom = 1e-300;
   for (const BinEnergy& bin : bins) {
     energy += bin.energy;
@@ -223,9 +226,11 @@ SmoothSpectrum scored(const std::vector<BinEnergy>& bins, double band_hz, double
 }  // namespace
 
 SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz, double flat_rows) {
-  const SmoothSpectrum rising = scored(bins, band_hz, flat_rows, kCosines + 2);
-  if (rising.coefficients(kCosines + 1) >= 0.0) return rising;
-  return scored(bins, band_hz, flat_rows, kCosines + 1);
+  const SmoothSpectrum free = scored(bins, band_hz, flat_rows, {});
+  // No steeper than what a disturbance of first order does: where a fit has left no bins, a power
+  // of that law would be the noise of anything.
+  const double own = free.coefficients(kCosines + 1), possible = std::clamp(own, 0.0, 1.0);
+  return own == possible ? free : scored(bins, band_hz, flat_rows, possible);
 }
 
 Whitening whitening_of(const Design& design, const Hypotheses& all, const VectorXd& floor,
