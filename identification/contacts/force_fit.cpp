@@ -21,8 +21,8 @@ using Eigen::VectorXd;
 constexpr double kOwnError = 0.03;  // of what is left over: lever arms are known no better
 // Of a found cause, none of which has exactly its law's form: without it impacts in a gear are
 // pushes (tests/identification/subjects/geared_joints.cpp). The likelihood has the same
-// (kFormErrors).
-constexpr double kFormError = 0.1;
+// (decision_constants.h).
+constexpr double kFormError = 0.2;
 constexpr double kMostSamples = 1500;  // that a point is fitted to
 constexpr double kLooser = 3.0;        // than their rms over a disturbance, most of it flanks
 constexpr double kRankLimit = 1e-9;

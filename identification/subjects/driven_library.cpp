@@ -18,6 +18,10 @@ using Eigen::VectorXd;
 // What fast effects have to explain where all fast motion is noise of the position.
 constexpr double kFastShare = 0.2;
 
+// Lengths over which friction turns, as shares of the motion: from below any encoder's step to what
+// would be a spring's.
+constexpr double kLengthsOfReach[] = {1e-5, 1e-4, 1e-3, 1e-2};
+
 }  // namespace
 
 /// What acts on several joints at once.
@@ -107,6 +111,42 @@ void DrivenSubject::add_library(std::size_t joint) {
   add_cable("cable_torque");
   // A cubic is near the weight that a link carries over a part of a turn.
   if (!carries_links(joint)) add_cable("cable_torque_cubic");
+}
+
+/// Bristles of one length are roughly how friction turns at a reversal: it has lengths of all
+/// sizes, and a smoothed motion turns a little early or late. How much of which is fitted in any
+/// case and names nothing.
+void DrivenSubject::add_turning(std::size_t joint) {
+  const auto axis = static_cast<int>(joint);
+  const bool bristle = bristle_[joint];
+  const LogScale s = scale(joint);
+  Candidate c;
+  c.name = "how friction turns at reversals";
+  c.place = place(joint);
+  c.kind = CandidateKind::flexible;
+  c.depends_on = "way since the last reversal x direction";
+  c.channels = {axis};
+  c.nuisance = true;
+  std::vector<double> lengths;
+  for (const double share : kLengthsOfReach) {
+    lengths.push_back(share * (s.high - s.low));
+    LinearParameter p;
+    p.name = "level_" + std::to_string(lengths.size());
+    c.linear.push_back(std::move(p));
+  }
+  c.columns = [regressor = Regressor(find_effect(bristle ? "presliding" : "late_reversal")), axis,
+               bristle,
+               lengths](const Recording& log, int channel, const VectorXd&) -> Eigen::MatrixXd {
+    if (channel != axis) return {};
+    Eigen::MatrixXd x(log.q.rows(), static_cast<Index>(lengths.size()));
+    for (std::size_t k = 0; k < lengths.size(); ++k)
+      x.col(static_cast<Index>(k)) =
+          effect_columns(regressor, log, axis, VectorXd::Constant(1, lengths[k]));
+    if (bristle) x.colwise() -= log.signals.at("direction").col(axis);
+    return x;
+  };
+  problem_.library.push_back(std::move(c));
+  library_.push_back({"", joint, {}, {}});
 }
 
 /// A joint that tendons pull has no gear, and its effort is what they pull with.

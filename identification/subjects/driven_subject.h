@@ -124,6 +124,7 @@ class DrivenSubject {
  private:
   void add_baseline(std::size_t joint);
   void add_library(std::size_t joint);
+  void add_turning(std::size_t joint);
   void add_free_payload(Candidate payload);
   void add_mechanism_candidates();
   void add_carried_deviations();
