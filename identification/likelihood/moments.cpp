@@ -31,6 +31,13 @@ double known_spread(const Hypotheses& all, std::size_t shape, Index coefficient)
                                                      : std::numeric_limits<double>::infinity();
 }
 
+/// How large a shape's coefficient is expected to be beside the others of its cause.
+double expected_share(const Hypotheses& all, std::size_t shape, Index coefficient) {
+  const Hypothesis& h = all.list[static_cast<std::size_t>(all.shapes[shape].hypothesis)];
+  const auto p = static_cast<std::size_t>(coefficient);
+  return p < h.source->linear.size() ? h.source->linear[p].share : 1.0;
+}
+
 /// Where each shape's columns stand; fills ranges, coefficients and scales. Gives the place of
 /// every column among the sums' columns.
 std::vector<Index> lay_out(const ColumnSums& sums, const Hypotheses& all, Moments& m) {
@@ -43,8 +50,10 @@ std::vector<Index> lay_out(const ColumnSums& sums, const Hypotheses& all, Moment
     m.of_shape.push_back({static_cast<Index>(at.size()), 0});
     for (Index c = 0; c < width; ++c) {
       if (!(energy(first + c) > 0.0)) continue;
-      scales.push_back(std::min(std::sqrt(sums.acting(first + c) / energy(first + c)),
-                                known_spread(all, m.of_shape.size() - 1, c) / kLargestSize));
+      const std::size_t shape = m.of_shape.size() - 1;
+      scales.push_back(std::min(
+          std::sqrt(sums.acting(first + c) / energy(first + c)) * expected_share(all, shape, c),
+          known_spread(all, shape, c) / kLargestSize));
       at.push_back(sums.free + first + c);
       m.coefficient.push_back(static_cast<int>(c));
       ++m.of_shape.back().count;

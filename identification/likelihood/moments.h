@@ -12,8 +12,9 @@
 namespace sinew::diagnosis {
 
 /// Columns of length 0 are left out; each is scaled so that a coefficient of 1 has the rms of what
-/// was measured in the channels where it acts, or so that the largest size is the standard
-/// deviation that was known before any log, where that is less.
+/// was measured in the channels where it acts (its share of that, where it is expected to be
+/// smaller than its cause's first one), or so that the largest size is the standard deviation that
+/// was known before any log, where that is less.
 struct Moments {
   /// Of each shape its columns here: [first, first + count).
   struct Range {

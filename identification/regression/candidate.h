@@ -79,6 +79,7 @@ struct LinearParameter {
   /// Standard deviation of what it is before any log was seen, about 0; 0: nothing is known of it.
   double spread = 0.0;
   bool per_stretch = false;  ///< where per_log: one for each stretch that is read of a log
+  double share = 1.0;        ///< how large it is expected to be beside the candidate's first one
 };
 
 enum class CandidateKind {

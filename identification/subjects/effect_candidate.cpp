@@ -78,6 +78,7 @@ LinearParameter linear_parameter(const EffectColumn& column, bool revolute) {
   p.low = limits_of(column).low;
   p.high = limits_of(column).high;
   p.per_log = column.per_log;
+  p.share = column.share;
   return p;
 }
 

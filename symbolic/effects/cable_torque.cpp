@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
 #include "symbolic/effects/effects.h"
 #include "symbolic/expressions/piecewise.h"
 
 namespace sinew {
 namespace {
+
+// By what a smooth curve's Chebyshev coefficients fall from degree to degree: those of a measured
+// cable torque (joint 4 of a master arm, 0.077 N m at the first degree, 0.004 at the seventh) do.
+constexpr double kDegreeToDegree = 0.6;
 
 Effect cable_torque_of(const std::string& id, int highest) {
   Effect e(id, "position-dependent cable torque");
@@ -15,7 +21,8 @@ Effect cable_torque_of(const std::string& id, int highest) {
   // Chebyshev polynomials: columns that stay well conditioned.
   GiNaC::ex before = x, now = 1;
   for (int degree = 0; degree <= highest; ++degree) {
-    e.column("degree_" + std::to_string(degree), "{effort}", Sign::any, now);
+    e.column("degree_" + std::to_string(degree), "{effort}", Sign::any, now).share =
+        std::pow(kDegreeToDegree, degree);
     const GiNaC::ex next = degree == 0 ? x : GiNaC::ex(2 * x * now - before);
     before = now;
     now = next;

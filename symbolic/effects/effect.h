@@ -71,6 +71,7 @@ struct EffectColumn {
   bool per_log = false;  ///< a nuisance: an incremental encoder's phase differs from log to log
   GiNaC::ex term;
   double most = std::numeric_limits<double>::infinity();  ///< beyond it is not this effect
+  double share = 1.0;  ///< how large it is expected to be beside the effect's first one
 };
 
 /// As its sign and `most` say.

@@ -26,7 +26,8 @@ struct LogText {
 
 /// `conditions`: texts of --condition.
 diagnosis::Diagnosis diagnosis_of(const Mechanism& nominal, const std::vector<LogText>& logs,
-                                  const std::vector<std::string>& conditions = {});
+                                  const std::vector<std::string>& conditions = {},
+                                  bool by_likelihood = false);
 diagnosis::Findings diagnosed(const Mechanism& nominal, const std::string& train,
                               const std::string& holdout);
 
