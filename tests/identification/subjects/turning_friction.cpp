@@ -39,7 +39,8 @@ std::string log_of(double phase, unsigned seed) {
 
 }  // namespace
 
-// Seen red with bristles of one length: structure in the way since the last reversal was told.
+// Seen red with bristles of one length: a drift of friction and a delay were told, and structure in
+// the way since the last reversal.
 TEST_CASE("friction that turns over several lengths is no cause for the likelihood", "[slow]") {
   const diagnosis::Findings found =
       test::diagnosis_of(
