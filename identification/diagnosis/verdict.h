@@ -26,10 +26,11 @@ struct ParameterEstimate {
 struct RankedCause {
   int candidate = 0;  ///< index into the library; deviation i of the problem is -1 - i
   std::string name, place;
-  double behind = 0.0;       ///< whitened deviance and price above the best: 0 for the best
-  double paired_z = 0.0;     ///< mean paired block difference to the best / its standard error
-  double correlation = 1.0;  ///< largest canonical correlation with the best, baseline taken out
-  double weight = 1.0;       ///< share among all rivals, sums to at most 1
+  double behind = 0.0;  ///< whitened deviance and price above the best: 0 for the best
+  /// Mean paired block difference to the best / its standard error, and the largest canonical
+  /// correlation with the best, baseline taken out. Not a number where nothing is decided by them.
+  double paired_z = 0.0, correlation = 1.0;
+  double weight = 1.0;  ///< share among all rivals, sums to at most 1
 };
 
 /// What is proposed for a set that cannot be told apart.

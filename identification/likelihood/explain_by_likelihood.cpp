@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "identification/diagnosis/confidence.h"
-#include "identification/diagnosis/standard_errors.h"
+#include "identification/diagnosis/form_errors.h"
 #include "identification/diagnosis/verdict_errors.h"
 #include "identification/likelihood/decision_constants.h"
 #include "identification/likelihood/fitted_baseline.h"
@@ -32,14 +32,17 @@ RankedCause ranked(const FoundSlots& found, const Rival& rival, double best) {
   cause.name = h.source->name;
   cause.place = h.source->place;
   cause.behind = 2.0 * (best - rival.log_odds);
+  cause.paired_z = cause.correlation = std::numeric_limits<double>::quiet_NaN();  // not asked for
   cause.weight = rival.probability;
   return cause;
 }
 
-/// The named members of a slot's credible set. Structure without a name of which a member's form is
-/// a part does not speak against it.
+/// The named members of a slot's credible set, what the model is extended by first. Structure
+/// without a name of which a member's form is a part does not speak against it.
 NamedCause name_slot(const FoundSlots& found, std::size_t slot) {
   NamedCause cause;
+  cause.candidate = hypothesis_of(found, slot).candidate;
+  if (!hypothesis_of(found, slot).named) return cause;
   double named = 0.0;
   const std::vector<Rival> set = found.search->credible(found.slots, slot);
   for (const Rival& rival : set) {
@@ -52,7 +55,10 @@ NamedCause name_slot(const FoundSlots& found, std::size_t slot) {
     named += rival.probability;
     cause.members.push_back(ranked(found, rival, set.front().log_odds));
   }
-  cause.candidate = hypothesis_of(found, slot).candidate;
+  const auto adopted =
+      std::find_if(cause.members.begin(), cause.members.end(),
+                   [&](const RankedCause& m) { return m.candidate == cause.candidate; });
+  if (adopted != cause.members.end()) std::rotate(cause.members.begin(), adopted, adopted + 1);
   cause.confidence = kHighestConfidence * std::min(1.0, named);
   return cause;
 }
@@ -152,7 +158,7 @@ namespace {
 
 void tell_baseline(const Design& design, Explanation& result) {
   const Selection& found = result.selection;
-  result.estimates = estimates(design, found.model, found.noise);
+  result.estimates = told_estimates(design, found.model, found.noise);
   for (std::size_t t = 0; t < found.model.terms.size(); ++t)
     if (found.model.terms[t].baseline)
       result.verdict.baseline.insert(result.verdict.baseline.end(), result.estimates[t].begin(),
@@ -186,7 +192,7 @@ std::vector<NamedCause> measured_causes(const Measured& m, const std::vector<Nam
   std::vector<NamedCause> list;
   for (const NamedCause& cause : of_slot)
     if (!cause.members.empty()) list.push_back(cause);
-  const auto all = estimates(m.design, m.adopted.model, m.adopted.noise);
+  const auto all = told_estimates(m.design, m.adopted.model, m.adopted.noise);
   const std::size_t first = m.adopted.model.terms.size() - list.size();
   for (std::size_t i = 0; i < list.size(); ++i) {
     NamedCause& cause = list[i];

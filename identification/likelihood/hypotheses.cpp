@@ -46,6 +46,7 @@ void add_hypothesis(int candidate, const Candidate& source, Hypotheses& all) {
   h.source = &source;
   h.named = is_named(source);
   h.log_prior = log_prior_of(source, h.named);
+  h.body_within = source.body_within;
   all.list.push_back(std::move(h));
 }
 
@@ -87,6 +88,7 @@ Hypotheses make_hypotheses(const Design& design, const Model& baseline) {
     const Term& term = all.parts.deviations[i];
     add_hypothesis(-1 - static_cast<int>(i), *term.candidate, all);
     all.list.back().log_prior += problem.deviations[i].unlikely ? std::log(kUnlikelyOdds) : 0.0;
+    all.list.back().body_within = problem.deviations[i].body_within;
     all.list.back().shapes.push_back(static_cast<int>(all.shapes.size()));
     all.shapes.push_back({static_cast<int>(all.list.size()) - 1, VectorXd(), term.columns, {}});
   }

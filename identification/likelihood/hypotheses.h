@@ -2,6 +2,7 @@
 // Everything that may be wrong with a model, in one form: a block of columns for each shape.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct Hypothesis {
   bool named = true;                  ///< false: structure without a physical name
   double log_prior = 0.0;             ///< log prior odds of all its shapes together
   std::vector<int> shapes;
+  std::optional<double> body_within;  ///< as a candidate's: its coefficients are a body's
 };
 
 /// A hypothesis at one value of its nonlinear parameters.

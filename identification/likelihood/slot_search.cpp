@@ -174,8 +174,9 @@ bool SlotSearch::is_possible(int entry, const VectorXd& coefficients,
       return false;
   // Between two shapes lies one only where both act the same way.
   if (e.shapes.size() > 1) return coefficients(0) * coefficients(1) >= 0.0;
-  const Candidate& source = *all_.list[static_cast<std::size_t>(e.hypothesis)].source;
-  if (!source.body_within && !source.possible) return true;
+  const std::optional<double>& body_within = hypothesis_of(entry).body_within;
+  const Candidate& source = *hypothesis_of(entry).source;
+  if (!body_within && !source.possible) return true;
   const Moments& m = errors_.moments();
   VectorXd own = VectorXd::Zero(static_cast<Index>(source.linear.size())), spread = own;
   for (std::size_t c = 0; c < e.columns.size(); ++c) {
@@ -185,7 +186,7 @@ bool SlotSearch::is_possible(int entry, const VectorXd& coefficients,
     own(at) = m.scale(column) * coefficients(static_cast<Index>(c));
     spread(at) = m.scale(column) * errors(static_cast<Index>(c));
   }
-  if (source.body_within && !is_body(own, spread, *source.body_within)) return false;
+  if (body_within && !is_body(own, spread, *body_within)) return false;
   return !source.possible ||
          source.possible(own, all_.shapes[static_cast<std::size_t>(e.shapes.front())].nonlinear);
 }

@@ -61,7 +61,8 @@ Table member_table(const NamedCause& cause) {
               "Paired z: the mean difference to the best over blocks, in its standard errors.");
   for (const RankedCause& m : cause.members)
     table.row({escaped(m.name), escaped(m.place), shown_share(m.weight), shown_number(m.behind),
-               m.behind > 0.0 ? shown_number(m.paired_z, 2) : "–", shown_number(m.correlation)});
+               m.behind > 0.0 && std::isfinite(m.paired_z) ? shown_number(m.paired_z, 2) : "–",
+               std::isfinite(m.correlation) ? shown_number(m.correlation) : "–"});
   return table;
 }
 

@@ -19,7 +19,7 @@ TEST_CASE("a coefficient that is expected to be small has a small scale") {
   all.shapes.resize(1);
   ColumnSums sums;
   sums.width = {2};
-  sums.gram = 100.0 * Eigen::MatrixXd::Identity(2, 2);
+  sums.gram = RegionProducts(100.0 * Eigen::MatrixXd::Identity(2, 2));
   sums.target = Eigen::Vector2d(10.0, 10.0);
   sums.energy = Eigen::MatrixXd::Constant(1, 2, 100.0);
   sums.acting = Eigen::VectorXd::Constant(2, 50.0);

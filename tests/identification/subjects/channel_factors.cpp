@@ -30,7 +30,7 @@ std::vector<DataFault> stops(const TendonFingerLog& finger,
                              const std::function<void(Recording&)>& plant) {
   const Recording r = finger.with([&](Recording& log) {
     reference::RandomNumbers random(7);
-    for (double& f : log.signals.at("tension").reshaped()) f += random.uniform(-0.05, 0.05);
+    for (double& f : log.signals["tension"].reshaped()) f += random.uniform(-0.05, 0.05);
     plant(log);
   });
   FaultList faults("log.csv");
@@ -79,7 +79,7 @@ TEST_CASE("a factor or a sign of one force is told with its column") {
     for (const double factor : {3.0, 0.5, -1.0}) {
       INFO("force " << tendon + 1 << ", times " << factor);
       const std::vector<DataFault> faults =
-          stops(finger, [&](Recording& r) { r.signals.at("tension").col(tendon) *= factor; });
+          stops(finger, [&](Recording& r) { r.signals["tension"].col(tendon) *= factor; });
       REQUIRE(faults.size() == 1);
       CHECK(faults.front().channel == fmt::format("force_{}", tendon + 1));
     }
@@ -87,7 +87,7 @@ TEST_CASE("a factor or a sign of one force is told with its column") {
 
 TEST_CASE("a finger with a weak sensor, friction or an offset has no factor of its own") {
   const TendonFingerLog finger;
-  const auto force = [](Recording& r) -> MatrixXd& { return r.signals.at("tension"); };
+  const auto force = [](Recording& r) -> MatrixXd& { return r.signals["tension"]; };
   CHECK(stops(finger, [](Recording&) {}).empty());
   CHECK(stops(finger, [&](Recording& r) { force(r).col(2) *= 1.4; }).empty());
   CHECK(stops(finger, [&](Recording& r) { force(r).col(2).array() += 8.0; }).empty());

@@ -41,7 +41,7 @@ TEST_CASE("a wrong column of a tendon-driven finger is found by the model and na
     FaultKind kind;
     std::function<void(Recording&)> plant;
   };
-  const auto force = [](Recording& r) -> MatrixXd& { return r.signals.at("tension"); };
+  const auto force = [](Recording& r) -> MatrixXd& { return r.signals["tension"]; };
   const Planted all[] = {
       {"force_1", "", FaultKind::unit_slip, [&](Recording& r) { force(r) *= 1000.0; }},
       {"force_3", "", FaultKind::unit_slip, [&](Recording& r) { force(r).col(2) *= 1000.0; }},
@@ -73,8 +73,8 @@ TEST_CASE("a wrong column of a tendon-driven finger is found by the model and na
 TEST_CASE("a finger that lacks something is no faulty log") {
   const test::TendonFingerLog finger;
   CHECK(stops(finger, [](Recording&) {}).empty());
-  CHECK(stops(finger, [](Recording& r) { r.signals.at("tension").col(4).array() += 8.0; }).empty());
-  CHECK(stops(finger, [](Recording& r) { r.signals.at("tension").col(2) *= 1.3; }).empty());
+  CHECK(stops(finger, [](Recording& r) { r.signals["tension"].col(4).array() += 8.0; }).empty());
+  CHECK(stops(finger, [](Recording& r) { r.signals["tension"].col(2) *= 1.3; }).empty());
   CHECK(stops(finger, [](Recording& r) { r.target[6] *= 2.5; }).empty());
   CHECK(stops(finger, [](Recording& r) {
           r.target[7].array() += 0.3 * (r.qd.col(7).array() / 0.02).tanh();
