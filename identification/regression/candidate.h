@@ -36,9 +36,7 @@ struct Recording {
   Eigen::VectorXd payload;         ///< mass [kg] of a load that is known to be carried; empty: none
   Eigen::MatrixXd payload_effort;  ///< what it asks of the joints: samples x joints; empty: none
   Signals signals;                 ///< anything else a candidate wants
-  /// The same, of so many columns that single precision is enough; it rounds them far below any
-  /// noise.
-  std::map<std::string, std::shared_ptr<const Eigen::MatrixXf>> wide_signals;
+  std::map<std::string, std::shared_ptr<const Eigen::MatrixXd>> wide_signals;
   std::vector<Eigen::VectorXd> target;  ///< per channel: what is measured, force domain
   /// Per channel: what the model under test says of the target; empty: nothing. It is subtracted,
   /// at the model's time, and moves with a delay as every other term does.

@@ -60,8 +60,7 @@ Recording thin(const Recording& log, const DecimatingFilter& filter) {
   for (const auto& [name, signal] : log.signals)
     if (name != effort_of_logged_motion) r.signals[name] = take(*signal);
   for (const auto& [name, signal] : log.wide_signals)
-    r.wide_signals[name] =
-        std::make_shared<const Eigen::MatrixXf>(take(signal->cast<double>()).cast<float>());
+    r.wide_signals[name] = std::make_shared<const MatrixXd>(take(*signal));
   for (const VectorXd& x : log.target) r.target.push_back(take(x));
   for (const VectorXd& x : log.known) r.known.push_back(take(x));
   r.standstills = log.standstills;

@@ -398,10 +398,10 @@ MatrixXd RigidColumns::columns_of(const Group& group, const Recording& log) cons
 }
 
 void RigidColumns::add_signals(Recording& log) const {
-  std::vector<std::shared_ptr<const Eigen::MatrixXf>> all(groups_.size());
+  std::vector<std::shared_ptr<const MatrixXd>> all(groups_.size());
   tbb::parallel_for(0, static_cast<int>(all.size()), [&](int i) {
     const auto g = static_cast<std::size_t>(i);
-    all[g] = std::make_shared<const Eigen::MatrixXf>(columns_of(groups_[g], log).cast<float>());
+    all[g] = std::make_shared<const MatrixXd>(columns_of(groups_[g], log));
   });
   for (std::size_t g = 0; g < all.size(); ++g)
     log.wide_signals[groups_[g].signal] = std::move(all[g]);
@@ -423,7 +423,7 @@ std::vector<RigidColumns::OfMechanism> RigidColumns::candidates() const {
     c.columns = [signal = group.signal, wide, n = coordinates_](const Recording& log, int channel,
                                                                 const VectorXd&) -> MatrixXd {
       if (channel >= n) return MatrixXd(log.q.rows(), 0);  // a motor
-      return log.wide_signals.at(signal)->middleCols(channel * wide, wide).cast<double>();
+      return log.wide_signals.at(signal)->middleCols(channel * wide, wide);
     };
     list.push_back({c, group.effect});
     if (!group.as_drawn) continue;
