@@ -5,16 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "identification/likelihood/entries.h"
+#include "identification/likelihood/slot_model.h"
 
 namespace sinew::diagnosis {
-
-/// The hypotheses a model holds, one entry each.
-struct Slots {
-  std::vector<int> entries;
-  std::vector<double> variances;  ///< prior variance of each one's coefficients, the most probable
-  double log_posterior = 0.0;     ///< log odds against the model without any
-};
 
 /// A hypothesis in place of a slot's.
 struct Rival {
@@ -30,7 +23,7 @@ class SlotSearch {
   SlotSearch(const Hypotheses& all, const SmallErrors& errors, int most,
              const std::vector<bool>& banned);
 
-  const std::vector<Entry>& entries() const { return entries_; }
+  const std::vector<Entry>& entries() const { return model_.entries(); }
 
   /// Whether structure without a name is left out; at first it is not.
   void set_names_alone(bool alone) { names_alone_ = alone; }
@@ -57,27 +50,12 @@ class SlotSearch {
   /// Every hypothesis on top of the slots.
   std::vector<Rival> on_top(const Slots& slots) const;
   /// Coefficients of a slot in the columns' own units, by coefficient of its first shape.
-  Eigen::VectorXd coefficients(const Slots& slots, std::size_t slot) const;
+  Eigen::VectorXd coefficients(const Slots& slots, std::size_t slot) const {
+    return model_.coefficients(slots, slot);
+  }
 
  private:
-  struct Posterior;
-  struct Fit;
-  Posterior posterior(const Slots& slots) const;
-  Fit fit(const Slots& slots, int region) const;
-  int region_of(int entry) const { return regions_[static_cast<std::size_t>(entry)]; }
-  const Hypothesis& hypothesis_of(int entry) const;
-  bool meets(int entry, int region) const;
-  std::vector<double> log_odds(const Slots& given, const Fit& f) const;
-  ConditionalMoments conditional(int entry, const Fit& given) const;
-  BayesFactor factor(int entry, const Fit& given) const;
-  Eigen::VectorXd precisions(const Slots& slots) const;
-  bool is_possible(const Slots& slots) const;
-  bool is_possible(const std::vector<int>& entries, const Eigen::VectorXd& coefficients,
-                   const Eigen::VectorXd& variances) const;
-  bool is_possible(int entry, const Eigen::VectorXd& coefficients,
-                   const Eigen::VectorXd& errors) const;
-  bool stays_possible(const Slots& given, const Fit& f, int entry, double variance) const;
-  Slots sized(const Slots& given, const Fit& f, int entry) const;
+  Slots sized(const Slots& given, const SlotModel::Fit& f, int entry) const;
   std::optional<Slots> with_best(const Slots& given, int region) const;
   std::vector<Rival> ranked(const std::vector<double>& odds) const;
   bool polish(Slots& slots, int region) const;
@@ -86,14 +64,11 @@ class SlotSearch {
   Slots grown(Slots slots, int region) const;
   std::vector<Slots> other_starts(const Slots& found, int region) const;
   Slots from_rivals(const Slots& found, int region) const;
-  Slots weighed(Slots slots) const;
 
   const Hypotheses& all_;
-  const SmallErrors& errors_;
   std::size_t most_;
   bool names_alone_ = false;
-  std::vector<Entry> entries_;
-  std::vector<int> regions_;  ///< of every entry
+  SlotModel model_;
 };
 
 }  // namespace sinew::diagnosis

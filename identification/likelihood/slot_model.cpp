@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/likelihood/slot_model.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "identification/likelihood/decision_constants.h"
+#include "identification/regression/body_limits.h"
+#include "identification/regression/inner_loop.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// A wrong side of a limit is forgiven by chance only.
+constexpr double kStandardErrors = 2.0;
+
+}  // namespace
+
+SlotModel::SlotModel(const Hypotheses& all, const SmallErrors& errors,
+                     const std::vector<bool>& banned)
+    : all_(all), errors_(errors), entries_(make_entries(all, errors, banned)) {
+  for (const Entry& e : entries_) regions_.push_back(errors.moments().regions().of(e.columns));
+}
+
+const Hypothesis& SlotModel::hypothesis_of(int entry) const {
+  return all_.list[static_cast<std::size_t>(entries_[static_cast<std::size_t>(entry)].hypothesis)];
+}
+
+/// Whether one of a region's columns can meet the entry's.
+bool SlotModel::meets(int entry, int region) const {
+  return region == Regions::kEverywhere || region_of(entry) == Regions::kEverywhere ||
+         region_of(entry) == region;
+}
+
+/// Prior precision of the entries' columns: one over each slot's variance.
+VectorXd SlotModel::precisions(const Slots& slots) const {
+  std::vector<double> list;
+  for (std::size_t i = 0; i < slots.entries.size(); ++i)
+    list.insert(list.end(), entries_[static_cast<std::size_t>(slots.entries[i])].columns.size(),
+                1.0 / slots.variances[i]);
+  return VectorXd::Map(list.data(), static_cast<Index>(list.size()));
+}
+
+SlotModel::Posterior SlotModel::posterior(const Slots& slots) const {
+  Posterior p;
+  for (const int e : slots.entries) {
+    const auto& own = entries_[static_cast<std::size_t>(e)].columns;
+    p.columns.insert(p.columns.end(), own.begin(), own.end());
+  }
+  p.precision = precisions(slots);
+  MatrixXd gram = errors_.gram(p.columns, p.columns);
+  gram.diagonal() += p.precision;
+  const Eigen::LLT<MatrixXd> factor(gram);
+  p.lower = factor.matrixL();
+  p.inverse = factor.solve(MatrixXd::Identity(gram.rows(), gram.cols()));
+  p.coefficients = p.inverse * VectorXd(errors_.target()(p.columns));
+  return p;
+}
+
+SlotModel::Fit SlotModel::fit(const Slots& slots, int region) const {
+  const std::vector<Index>& columns = errors_.moments().regions().columns(region);
+  Fit f{posterior(slots), region, {}, errors_.target()(columns)};
+  if (f.columns.empty()) return f;
+  const MatrixXd cross = errors_.gram(columns, f.columns);
+  f.target -= cross * f.coefficients;
+  f.taken = f.lower.triangularView<Eigen::Lower>().solve(MatrixXd(cross.transpose()));
+  return f;
+}
+
+/// An entry given the model, which is fitted in a region that the entry meets.
+ConditionalMoments SlotModel::conditional(int entry, const Fit& given) const {
+  const Entry& e = entries_[static_cast<std::size_t>(entry)];
+  const std::vector<Index> at = errors_.moments().regions().places(given.region, e.columns);
+  ConditionalMoments m = e.alone;
+  m.target = given.target(at);
+  if (!given.columns.empty())
+    m.gram -= given.taken(Eigen::all, at).transpose() * given.taken(Eigen::all, at);
+  return m;
+}
+
+BayesFactor SlotModel::factor(int entry, const Fit& given) const {
+  const Entry& e = entries_[static_cast<std::size_t>(entry)];
+  const ConditionalMoments m = conditional(entry, given);
+  // What the model spans already has nothing to say for itself.
+  constexpr double kExcited = 1e-5;
+  if (m.gram.diagonal().maxCoeff() < kExcited * e.alone.gram.diagonal().maxCoeff())
+    return {kNoOdds, 0.0};
+  // How improbable the improbable is nobody asks: a bound is enough.
+  constexpr double negligible = -20.0;
+  const double most = most_by_fit(m);
+  if (most + e.log_prior < negligible) return {most, kSmallestSize * kSmallestSize};
+  return bayes_factor_of(m);
+}
+
+/// Of the entries whose columns a fit's region has.
+std::vector<double> SlotModel::log_odds(const Slots& given, const Fit& f, bool names_alone) const {
+  std::vector<bool> taken(all_.list.size(), false);
+  for (const int g : given.entries) {
+    const Candidate& held = *hypothesis_of(g).source;
+    // One cause is named once, whatever its forms.
+    for (std::size_t h = 0; h < all_.list.size(); ++h)
+      if (all_.list[h].source->name == held.name && all_.list[h].source->place == held.place)
+        taken[h] = true;
+  }
+  std::vector<double> odds(entries_.size(), kNoOdds);
+  inner_loop(entries_.size(), [&](std::size_t i) {
+    const Entry& e = entries_[i];
+    const auto h = static_cast<std::size_t>(e.hypothesis);
+    if (!taken[h] && meets(static_cast<int>(i), f.region) && (all_.list[h].named || !names_alone))
+      odds[i] = factor(static_cast<int>(i), f).logarithm + e.log_prior;
+  });
+  return odds;
+}
+
+bool SlotModel::is_possible(int entry, const VectorXd& coefficients, const VectorXd& errors) const {
+  const Entry& e = entries_[static_cast<std::size_t>(entry)];
+  for (Index c = 0; c < coefficients.size(); ++c)
+    if (coefficients(c) < e.alone.low(c) - kStandardErrors * errors(c) ||
+        coefficients(c) > e.alone.high(c) + kStandardErrors * errors(c))
+      return false;
+  // Between two shapes lies one only where both act the same way.
+  if (e.shapes.size() > 1) return coefficients(0) * coefficients(1) >= 0.0;
+  const std::optional<double>& body_within = hypothesis_of(entry).body_within;
+  const Candidate& source = *hypothesis_of(entry).source;
+  if (!body_within && !source.possible) return true;
+  const Moments& m = errors_.moments();
+  VectorXd own = VectorXd::Zero(static_cast<Index>(source.linear.size())), spread = own;
+  for (std::size_t c = 0; c < e.columns.size(); ++c) {
+    const Index column = e.columns[c];
+    const Index at = m.coefficient[static_cast<std::size_t>(column)];
+    if (at >= own.size()) return true;  // a nuisance per log
+    own(at) = m.scale(column) * coefficients(static_cast<Index>(c));
+    spread(at) = m.scale(column) * errors(static_cast<Index>(c));
+  }
+  if (body_within && !is_body(own, spread, *body_within)) return false;
+  return !source.possible ||
+         source.possible(own, all_.shapes[static_cast<std::size_t>(e.shapes.front())].nonlinear);
+}
+
+bool SlotModel::is_possible(const std::vector<int>& entries, const VectorXd& coefficients,
+                            const VectorXd& variances) const {
+  const VectorXd errors = variances.cwiseMax(0.0).cwiseSqrt();
+  Index first = 0;
+  for (const int e : entries) {
+    const auto wide = static_cast<Index>(entries_[static_cast<std::size_t>(e)].columns.size());
+    if (!is_possible(e, coefficients.segment(first, wide), errors.segment(first, wide)))
+      return false;
+    first += wide;
+  }
+  return true;
+}
+
+bool SlotModel::is_possible(const Slots& slots) const {
+  const Posterior f = posterior(slots);
+  return is_possible(slots.entries, f.coefficients, f.inverse.diagonal());
+}
+
+/// Whether the slots, whose fit that is, are within their limits with one more entry: what it
+/// changes of their coefficients, by blocks of the inverse.
+bool SlotModel::stays_possible(const Slots& given, const Fit& f, int entry, double variance) const {
+  ConditionalMoments m = conditional(entry, f);
+  m.gram.diagonal().array() += 1.0 / variance;
+  const Eigen::LLT<MatrixXd> factor(m.gram);
+  const VectorXd own = factor.solve(m.target);
+  const VectorXd own_variance = factor.solve(MatrixXd::Identity(own.size(), own.size())).diagonal();
+  if (!is_possible(entry, own, own_variance.cwiseSqrt())) return false;
+  if (given.entries.empty()) return true;
+  const std::vector<Index> at = errors_.moments().regions().places(
+      f.region, entries_[static_cast<std::size_t>(entry)].columns);
+  // What of the model's coefficients one of the entry's takes.
+  const MatrixXd taken =
+      f.lower.triangularView<Eigen::Lower>().transpose().solve(MatrixXd(f.taken(Eigen::all, at)));
+  const VectorXd more =
+      taken.cwiseProduct(factor.solve(taken.transpose()).transpose()).rowwise().sum();
+  return is_possible(given.entries, f.coefficients - taken * own, f.inverse.diagonal() + more);
+}
+
+/// log posterior odds of the slots together against none.
+Slots SlotModel::weighed(Slots slots) const {
+  slots.log_posterior = 0.0;
+  if (slots.entries.empty()) return slots;
+  for (const int e : slots.entries)
+    slots.log_posterior += entries_[static_cast<std::size_t>(e)].log_prior;
+  const Posterior whole = posterior(slots);
+  const VectorXd size = whole.precision.cwiseInverse().cwiseSqrt();
+  MatrixXd inner =
+      size.asDiagonal() * errors_.gram(whole.columns, whole.columns) * size.asDiagonal();
+  inner.diagonal().array() += 1.0;
+  const Eigen::LLT<MatrixXd> factor(inner);
+  const VectorXd own = factor.matrixL().solve(
+      VectorXd(size.cwiseProduct(VectorXd(errors_.target()(whole.columns)))));
+  slots.log_posterior +=
+      0.5 * own.squaredNorm() - MatrixXd(factor.matrixL()).diagonal().array().log().sum();
+  return slots;
+}
+
+VectorXd SlotModel::coefficients(const Slots& slots, std::size_t slot) const {
+  const Posterior f = posterior(slots);
+  Index first = 0;
+  for (std::size_t i = 0; i < slot; ++i)
+    first +=
+        static_cast<Index>(entries_[static_cast<std::size_t>(slots.entries[i])].columns.size());
+  const Entry& e = entries_[static_cast<std::size_t>(slots.entries[slot])];
+  VectorXd own = f.coefficients.segment(first, static_cast<Index>(e.columns.size()));
+  for (Index c = 0; c < own.size(); ++c)
+    own(c) *= errors_.moments().scale(e.columns[static_cast<std::size_t>(c)]);
+  return own;
+}
+
+}  // namespace sinew::diagnosis

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The model with some hypotheses: how it fits, what else would gain beside them, and whether
+// physics allows it.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "identification/likelihood/entries.h"
+
+namespace sinew::diagnosis {
+
+/// The hypotheses a model holds, one entry each.
+struct Slots {
+  std::vector<int> entries;
+  std::vector<double> variances;  ///< prior variance of each one's coefficients, the most probable
+  double log_posterior = 0.0;     ///< log odds against the model without any
+};
+
+/// Log odds of what is not to be taken.
+inline constexpr double kNoOdds = -std::numeric_limits<double>::infinity();
+
+class SlotModel {
+ public:
+  /// The model with some entries.
+  struct Posterior {
+    std::vector<Eigen::Index> columns;  ///< the entries'
+    Eigen::VectorXd precision;          ///< prior precision of the model's coefficients
+    Eigen::MatrixXd lower;              ///< of the posterior precision of the model's coefficients
+    Eigen::MatrixXd inverse;            ///< their posterior covariance
+    Eigen::VectorXd coefficients;
+  };
+
+  /// What the model with some entries leaves to a region's columns.
+  struct Fit : Posterior {
+    int region = Regions::kEverywhere;
+    Eigen::MatrixXd taken;   ///< its transpose times it: what the model takes of their Gram matrix
+    Eigen::VectorXd target;  ///< products of the columns with what is left over
+  };
+
+  /// `banned`: hypotheses that are not to be taken.
+  SlotModel(const Hypotheses& all, const SmallErrors& errors, const std::vector<bool>& banned);
+
+  const std::vector<Entry>& entries() const { return entries_; }
+  const Hypothesis& hypothesis_of(int entry) const;
+  /// Where an entry acts; how many regions there are.
+  int region_of(int entry) const { return regions_[static_cast<std::size_t>(entry)]; }
+  int regions() const { return errors_.moments().regions().count(); }
+
+  Fit fit(const Slots& slots, int region) const;
+  /// Of an entry on top of a model that is fitted in a region which has its columns.
+  BayesFactor factor(int entry, const Fit& given) const;
+  /// Of every entry whose columns the fit's region has, kNoOdds for the others and for other forms
+  /// of what the slots hold.
+  std::vector<double> log_odds(const Slots& given, const Fit& f, bool names_alone) const;
+  /// Whether all coefficients are within their limits.
+  bool is_possible(const Slots& slots) const;
+  /// The same with one more entry of that prior variance, from the fit without it.
+  bool stays_possible(const Slots& given, const Fit& f, int entry, double variance) const;
+  /// With the log posterior odds of the slots together against none.
+  Slots weighed(Slots slots) const;
+  /// Coefficients of a slot in the columns' own units, by coefficient of its first shape.
+  Eigen::VectorXd coefficients(const Slots& slots, std::size_t slot) const;
+
+ private:
+  Posterior posterior(const Slots& slots) const;
+  ConditionalMoments conditional(int entry, const Fit& given) const;
+  Eigen::VectorXd precisions(const Slots& slots) const;
+  bool meets(int entry, int region) const;
+  bool is_possible(const std::vector<int>& entries, const Eigen::VectorXd& coefficients,
+                   const Eigen::VectorXd& variances) const;
+  bool is_possible(int entry, const Eigen::VectorXd& coefficients,
+                   const Eigen::VectorXd& errors) const;
+
+  const Hypotheses& all_;
+  const SmallErrors& errors_;
+  std::vector<Entry> entries_;
+  std::vector<int> regions_;  ///< of every entry
+};
+
+}  // namespace sinew::diagnosis
