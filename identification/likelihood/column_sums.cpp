@@ -24,6 +24,22 @@ Index width_of(const BandColumns& columns) {
   return 0;
 }
 
+/// Calls `take` with every part of a segment's columns, the place of its first one among all, and
+/// its shape (none: of the model's free part).
+template <class Take>
+void for_each_part(const Hypotheses& all, const std::vector<Index>& width, std::size_t segment,
+                   const Take& take) {
+  Index first = 0;
+  for (const Term& term : all.parts.base.terms) {
+    take(term.columns[segment], first, nullptr);
+    first += width_of(term.columns);
+  }
+  for (std::size_t i = 0; i < all.shapes.size(); ++i) {
+    take(all.shapes[i].columns[segment], first, &all.shapes[i]);
+    first += width[i];
+  }
+}
+
 /// A segment's columns that act there, in their order, and where they stand among all.
 struct ActingColumns {
   std::vector<Eigen::Block<const MatrixXd, Eigen::Dynamic, 1, true>> columns;
@@ -33,19 +49,14 @@ struct ActingColumns {
 ActingColumns acting_columns(const Hypotheses& all, const std::vector<Index>& width,
                              std::size_t segment) {
   ActingColumns acting;
-  Index first = 0;
-  const auto take = [&](const MatrixXd& part, Index wide) {
+  for_each_part(all, width, segment, [&](const MatrixXd& part, Index first, const Shape*) {
     for (Index c = 0; c < part.cols(); ++c) {
       // What belongs to another log does not act in this one.
       if ((part.col(c).array() == 0.0).all()) continue;
       acting.columns.push_back(part.col(c));
       acting.at.push_back(first + c);
     }
-    first += wide;
-  };
-  for (const Term& term : all.parts.base.terms) take(term.columns[segment], width_of(term.columns));
-  for (std::size_t i = 0; i < all.shapes.size(); ++i)
-    take(all.shapes[i].columns[segment], width[i]);
+  });
   return acting;
 }
 
@@ -190,16 +201,11 @@ MatrixXd acting_channels(const Design& design, const Hypotheses& all, const Colu
   for (std::size_t s = 0; s < design.segments().size(); ++s) {
     const Segment& segment = design.segments()[s];
     if (segment.holdout) continue;
-    Index first = 0;
-    const auto take = [&](const MatrixXd& part, Index wide, bool look) {
+    for_each_part(all, sums.width, s, [&](const MatrixXd& part, Index first, const Shape* shape) {
+      const bool look = shape && has_log_coefficients(all, *shape);
       for (Index c = 0; c < part.cols(); ++c)
         if (!look || (part.col(c).array() != 0.0).any()) acts(segment.channel, first + c) = 1.0;
-      first += wide;
-    };
-    for (const Term& term : all.parts.base.terms)
-      take(term.columns[s], width_of(term.columns), false);
-    for (std::size_t i = 0; i < all.shapes.size(); ++i)
-      take(all.shapes[i].columns[s], sums.width[i], has_log_coefficients(all, all.shapes[i]));
+    });
   }
   return acts;
 }

@@ -31,7 +31,6 @@ class Signals {
     return found == map_.end() ? nullptr : found->second.get();
   }
   std::size_t count(const std::string& name) const { return map_.count(name); }
-  void erase(const std::string& name) { map_.erase(name); }
   Map::const_iterator begin() const { return map_.begin(); }
   Map::const_iterator end() const { return map_.end(); }
 

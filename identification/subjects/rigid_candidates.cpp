@@ -398,13 +398,13 @@ MatrixXd RigidColumns::columns_of(const Group& group, const Recording& log) cons
 }
 
 void RigidColumns::add_signals(Recording& log) const {
-  std::vector<std::shared_ptr<const MatrixXd>> all(groups_.size());
+  std::vector<MatrixXd> all(groups_.size());
   tbb::parallel_for(0, static_cast<int>(all.size()), [&](int i) {
     const auto g = static_cast<std::size_t>(i);
-    all[g] = std::make_shared<const MatrixXd>(columns_of(groups_[g], log));
+    all[g] = columns_of(groups_[g], log);
   });
   for (std::size_t g = 0; g < all.size(); ++g)
-    log.wide_signals[groups_[g].signal] = std::move(all[g]);
+    log.wide_signals[groups_[g].signal] = std::make_shared<const MatrixXd>(std::move(all[g]));
 }
 
 std::vector<RigidColumns::OfMechanism> RigidColumns::candidates() const {

@@ -90,8 +90,8 @@ TEST_CASE("channels that share their noise are one region, columns of several ac
   CHECK_FALSE(without.meet(5, 5));
 }
 
-// Seen red with what errors everywhere take left out at a
-// region's own columns, and with the regions' own errors left out where columns act everywhere.
+// Seen red with what errors everywhere take left out, and with the regions' own errors left out
+// where columns act everywhere.
 TEST_CASE("small errors are the same region by region and all at once") {
   const Arm arm;
   const Moments by_region = arm.moments(Regions(arm.acts, {}));
@@ -124,6 +124,8 @@ TEST_CASE("products of columns that cannot meet are not kept") {
   std::iota(at.begin(), at.end(), Index{0});
   products.add(at, dense.triangularView<Eigen::Lower>());
   CHECK((products.dense() - dense).cwiseAbs().maxCoeff() < 1e-9);
+  products.set(1, 0, 5.0);  // of two channels
+  CHECK(products(1, 0) == 0.0);
   RegionProducts twice = products;
   twice += products;
   CHECK((twice.dense() - 2.0 * dense).cwiseAbs().maxCoeff() < 1e-9);

@@ -39,8 +39,7 @@ std::string log_of(double phase, unsigned seed) {
 
 }  // namespace
 
-// Seen red with bristles of one length: a drift of friction and a delay were told, and structure in
-// the way since the last reversal.
+// Seen red with bristles of one length: a delay or torque constant and a low-pass were told.
 TEST_CASE("friction that turns over several lengths is no cause for the likelihood", "[slow]") {
   const diagnosis::Findings found =
       test::diagnosis_of(
