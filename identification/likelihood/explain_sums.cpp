@@ -7,6 +7,7 @@
 
 #include "identification/diagnosis/materiality.h"
 #include "identification/likelihood/slot_estimates.h"
+#include "identification/likelihood/slot_evidence.h"
 #include "identification/likelihood/slot_verdict.h"
 #include "identification/likelihood/sums_fit.h"
 

@@ -20,6 +20,7 @@ struct FoundSlots {
   Slots slots;
   Model model;                ///< the base's terms, then one term a slot, in their order
   double small_errors = 0.0;  ///< share by which everything is off
+  double evidence = 0.0;  ///< log of the logs' probability and the slots' odds, to be compared
 };
 
 /// `baseline`: as for make_hypotheses().
@@ -29,10 +30,5 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
 /// Per channel, the variance of a sample that is not material.
 Eigen::VectorXd immaterial_variance(const Design& design, const Settings& settings,
                                     const Model& model);
-
-/// Searches the moments of `found` at every share of small errors and goes on under the most
-/// probable one; with names alone where they explain as much but for what their forms are off by.
-/// `most`: slots at most; `banned`: of every hypothesis, whether it is left out.
-void search_slots(int most, const std::vector<bool>& banned, FoundSlots& found);
 
 }  // namespace sinew::diagnosis

@@ -99,6 +99,16 @@ RegionProducts products_of(const ColumnSums& sums, const std::vector<Index>& at,
   return gram;
 }
 
+/// -1/2 log det of a Gram matrix, of which columns that hardly differ are told apart by a share.
+double log_volume(const MatrixXd& gram) {
+  constexpr double told_apart = 1e-10;
+  MatrixXd regular = gram;
+  regular.diagonal() *= 1.0 + told_apart;
+  regular.diagonal().array() += 1e-300;
+  const Eigen::LDLT<MatrixXd> factor(regular);
+  return -0.5 * factor.vectorD().cwiseMax(1e-300).array().log().sum();
+}
+
 /// The model's free part taken out of everything.
 void project_out_free(const ColumnSums& sums, const std::vector<Index>& at, Moments& m) {
   std::vector<Index> free(static_cast<std::size_t>(sums.free));
@@ -111,6 +121,7 @@ void project_out_free(const ColumnSums& sums, const std::vector<Index>& at, Mome
   m.target -= solved * base_target;
   m.deviance -= base_target.dot(inverse * base_target);
   m.rows -= static_cast<double>(sums.free);
+  m.log_free_volume = log_volume(sums.gram(free, free));
 }
 
 /// Columns that stand for their hypothesis among small errors, and the share of it each carries.

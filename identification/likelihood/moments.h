@@ -27,6 +27,8 @@ struct Moments {
   Eigen::VectorXd target;
   double deviance = 0.0;  ///< of what the model leaves over
   double rows = 0.0;      ///< independent real rows of the logs
+  /// Of the free part's coefficients, what the logs leave open: -1/2 log det of their Gram matrix.
+  double log_free_volume = 0.0;
 
   const Regions& regions() const { return gram.regions(); }
 };

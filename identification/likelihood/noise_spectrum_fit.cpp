@@ -3,6 +3,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -51,13 +52,11 @@ std::vector<int> representatives(const Hypotheses& all) {
   return chosen;
 }
 
-/// Everything that acts in a segment, whitened, each column of length 1.
-MatrixXd saturated(const Hypotheses& all, const std::vector<int>& shapes, std::size_t segment,
-                   const VectorXd& weight) {
+/// Those of some columns that act in a segment, whitened, each of length 1.
+MatrixXd whitened_columns(const std::vector<const BandColumns*>& columns, std::size_t segment,
+                          const VectorXd& weight) {
   std::vector<const MatrixXd*> parts;
-  for (const Term& term : all.parts.base.terms) parts.push_back(&term.columns[segment]);
-  for (const int shape : shapes)
-    parts.push_back(&all.shapes[static_cast<std::size_t>(shape)].columns[segment]);
+  for (const BandColumns* part : columns) parts.push_back(&(*part)[segment]);
   Index wide = 0;
   for (const MatrixXd* part : parts) wide += part->cols();
   MatrixXd x(weight.size(), wide);
@@ -233,9 +232,12 @@ SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz, 
   return own == possible ? free : scored(bins, band_hz, flat_rows, possible);
 }
 
-Whitening whitening_of(const Design& design, const Hypotheses& all, const VectorXd& floor,
-                       const ExpectedSpectra& expected) {
-  const std::vector<int> shapes = representatives(all);
+namespace {
+
+/// From what a fit of a target by some columns leaves over.
+Whitening whitening_from(const Design& design, const std::vector<VectorXd>& target,
+                         const std::vector<const BandColumns*>& fitted, const VectorXd& floor,
+                         const ExpectedSpectra& expected) {
   const auto count = design.segments().size();
   Whitening whitening{even_weights(design), Weights(count), {}, {}, {}};
   whitening.of_channel.resize(static_cast<std::size_t>(design.problem().channels));
@@ -247,8 +249,8 @@ Whitening whitening_of(const Design& design, const Hypotheses& all, const Vector
     tbb::parallel_for(0, static_cast<int>(count), [&](int i) {
       const auto s = static_cast<std::size_t>(i);
       if (design.segments()[s].holdout) return;
-      const MatrixXd basis = basis_of(saturated(all, shapes, s, weights[s]));
-      left[s] = left_of(all.parts.base.target[s], basis, weights[s]);
+      const MatrixXd basis = basis_of(whitened_columns(fitted, s, weights[s]));
+      left[s] = left_of(target[s], basis, weights[s]);
       bins[s] = bins_of(design, s, left[s], basis, weights[s]);
     });
     for (int channel = 0; channel < design.problem().channels; ++channel)
@@ -256,6 +258,37 @@ Whitening whitening_of(const Design& design, const Hypotheses& all, const Vector
   }
   whitening.shared = shared_noise(design, left);
   return whitening;
+}
+
+}  // namespace
+
+Whitening whitening_of(const Design& design, const Hypotheses& all, const VectorXd& floor,
+                       const ExpectedSpectra& expected) {
+  std::vector<const BandColumns*> fitted;
+  for (const Term& term : all.parts.base.terms) fitted.push_back(&term.columns.get());
+  for (const int shape : representatives(all))
+    fitted.push_back(&all.shapes[static_cast<std::size_t>(shape)].columns);
+  return whitening_from(design, all.parts.base.target, fitted, floor, expected);
+}
+
+Whitening whitening_beside(const Design& design, const Model& model, const VectorXd& floor) {
+  std::vector<const BandColumns*> fitted;
+  for (const Term& term : model.terms) fitted.push_back(&term.columns.get());
+  return whitening_from(design, model.target, fitted, floor, {});
+}
+
+double log_scale(const Whitening& whitening) {
+  double sum = 0.0;
+  for (const VectorXd& weight : whitening.training)
+    if (weight.size() > 0) sum += weight.array().log().sum();
+  for (const SharedNoise& group : whitening.shared) {
+    MatrixXd correlation = group.correlation;
+    correlation.diagonal().setConstant(1.0 + 1e-9);
+    const Eigen::LLT<MatrixXd> factor(correlation);
+    const auto rows = static_cast<double>(whitening.training[group.segments.front()].size());
+    sum -= rows * MatrixXd(factor.matrixL()).diagonal().array().log().sum();
+  }
+  return sum;
 }
 
 }  // namespace sinew::diagnosis

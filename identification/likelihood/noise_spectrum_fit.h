@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The noise's smooth spectrum, by restricted maximum likelihood from what everything together
-// leaves over.
+// The noise's smooth spectrum, by restricted maximum likelihood from what a fit leaves over.
 #pragma once
 
 #include <Eigen/Core>
@@ -62,5 +61,12 @@ struct Whitening {
 /// without an expectation the spectrum there is a guess.
 Whitening whitening_of(const Design& design, const Hypotheses& all, const Eigen::VectorXd& floor,
                        const ExpectedSpectra& expected = {});
+
+/// From what a model leaves over of the training logs.
+Whitening whitening_beside(const Design& design, const Model& model, const Eigen::VectorXd& floor);
+
+/// log of the volume that whitening divides the training logs' rows by, up to a constant: -1/2 log
+/// det of the noise's covariance.
+double log_scale(const Whitening& whitening);
 
 }  // namespace sinew::diagnosis

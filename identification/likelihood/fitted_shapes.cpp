@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/likelihood/fitted_shapes.h"
+
+#include <cmath>
+#include <utility>
+
+#include "identification/regression/refine.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+double coordinate(const NonlinearParameter& range, double value) {
+  return range.logarithmic ? std::log(value) : value;
+}
+
+/// Where a slot's shape is to be fitted from: its grid point, or between two by their coefficients.
+VectorXd start_of(const FoundSlots& found, std::size_t slot) {
+  const Entry& entry = found.search->entries()[static_cast<std::size_t>(found.slots.entries[slot])];
+  const auto shape = [&](std::size_t i) {
+    return found.all.shapes[static_cast<std::size_t>(entry.shapes[i])].nonlinear;
+  };
+  if (entry.shapes.size() == 1) return shape(0);
+  const VectorXd b = found.search->coefficients(found.slots, slot).cwiseAbs();
+  const double part = b(1) / std::max(b.sum(), 1e-300);
+  const auto& ranges = found.all.list[static_cast<std::size_t>(entry.hypothesis)].source->nonlinear;
+  VectorXd start = shape(0);
+  for (Index p = 0; p < start.size(); ++p) {
+    const NonlinearParameter& range = ranges[static_cast<std::size_t>(p)];
+    const double between =
+        (1.0 - part) * coordinate(range, shape(0)(p)) + part * coordinate(range, shape(1)(p));
+    start(p) = range.logarithmic ? std::exp(between) : between;
+  }
+  return start;
+}
+}  // namespace
+
+void fit_shapes(const Design& design, FoundSlots& found) {
+  found.model = found.all.parts.base;
+  const std::size_t count = found.slots.entries.size();
+  const std::size_t first = found.model.terms.size();
+  std::vector<std::size_t> order;
+  for (const bool delays : {false, true})
+    for (std::size_t i = 0; i < count; ++i) {
+      const Entry& e = found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])];
+      const Hypothesis& h = found.all.list[static_cast<std::size_t>(e.hypothesis)];
+      if ((h.source->kind == CandidateKind::delay) != delays) continue;
+      order.push_back(i);
+      if (delays)
+        append_term(design, found.whitening.training, *h.source, VectorXd::Zero(1), found.model);
+      else if (h.candidate < 0)
+        found.model.terms.push_back(term_of(found.all, e.shapes.front()));
+      else
+        found.model.terms.push_back(make_term(design, *h.source, start_of(found, i), false));
+    }
+  if (count == 0) return;
+  for (std::size_t t = first; t < found.model.terms.size(); ++t)
+    found.model.terms[t].with_prior = true;
+  refine(design, found.whitening.training, RefineScope::all_terms, found.model);
+  std::vector<Term> sorted(count);
+  for (std::size_t k = 0; k < count; ++k) sorted[order[k]] = found.model.terms[first + k];
+  std::move(sorted.begin(), sorted.end(),
+            found.model.terms.begin() + static_cast<std::ptrdiff_t>(first));
+}
+bool add_fitted_shapes(const Design& design, FoundSlots& found) {
+  bool added = false;
+  const std::size_t first = found.model.terms.size() - found.slots.entries.size();
+  for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {
+    const Term& term = found.model.terms[first + i];
+    const Entry& e = found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])];
+    if (term.deviation >= 0 || term.candidate->kind == CandidateKind::delay ||
+        term.nonlinear.size() == 0)
+      continue;
+    const VectorXd& known = found.all.shapes[static_cast<std::size_t>(e.shapes.front())].nonlinear;
+    if (e.shapes.size() == 1 && known.size() == term.nonlinear.size() &&
+        (known - term.nonlinear).norm() <= 1e-3 * term.nonlinear.norm())
+      continue;
+    add_shape(design, e.hypothesis, term.nonlinear, found.all);
+    added = true;
+  }
+  return added;
+}
+bool ban_impossible(const Design& design, const FoundSlots& found, std::vector<bool>& banned) {
+  if (found.slots.entries.empty()) return false;
+  const LinearFit fit = solve(stack(found.model, found.whitening.training));
+  const std::size_t first = found.model.terms.size() - found.slots.entries.size();
+  bool any = false;
+  for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {
+    if (!violates_limits(design, found.model, fit, first + i)) continue;
+    banned[static_cast<std::size_t>(
+        found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])].hypothesis)] =
+        true;
+    any = true;
+  }
+  return any;
+}
+}  // namespace sinew::diagnosis
