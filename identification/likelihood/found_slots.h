@@ -20,7 +20,7 @@ struct FoundSlots {
   Slots slots;
   Model model;                ///< the base's terms, then one term a slot, in their order
   double small_errors = 0.0;  ///< share by which everything is off
-  double evidence = 0.0;  ///< log of the logs' probability and the slots' odds, to be compared
+  double evidence = 0.0;      ///< log of the logs' probability and the slots' odds, to be compared
 };
 
 /// `baseline`: as for make_hypotheses().

@@ -61,11 +61,31 @@ SlotModel::Posterior SlotModel::posterior(const Slots& slots) const {
   return p;
 }
 
+const MatrixXd& SlotModel::products(int region, int entry) const {
+  const std::pair<int, int> key{region, entry};
+  {
+    const std::shared_lock lock(guard_);
+    const auto known = products_.find(key);
+    if (known != products_.end()) return *known->second;
+  }
+  auto made =
+      std::make_unique<MatrixXd>(errors_.gram(errors_.moments().regions().columns(region),
+                                              entries_[static_cast<std::size_t>(entry)].columns));
+  const std::unique_lock lock(guard_);
+  return *products_.emplace(key, std::move(made)).first->second;
+}
+
 SlotModel::Fit SlotModel::fit(const Slots& slots, int region) const {
   const std::vector<Index>& columns = errors_.moments().regions().columns(region);
   Fit f{posterior(slots), region, {}, errors_.target()(columns)};
   if (f.columns.empty()) return f;
-  const MatrixXd cross = errors_.gram(columns, f.columns);
+  MatrixXd cross(static_cast<Index>(columns.size()), static_cast<Index>(f.columns.size()));
+  Index first = 0;
+  for (const int e : slots.entries) {
+    const MatrixXd& own = products(region, e);
+    cross.middleCols(first, own.cols()) = own;
+    first += own.cols();
+  }
   f.target -= cross * f.coefficients;
   f.taken = f.lower.triangularView<Eigen::Lower>().solve(MatrixXd(cross.transpose()));
   return f;

@@ -4,6 +4,11 @@
 #pragma once
 
 #include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <shared_mutex>
+#include <utility>
 #include <vector>
 
 #include "identification/likelihood/entries.h"
@@ -64,6 +69,9 @@ class SlotModel {
 
  private:
   Posterior posterior(const Slots& slots) const;
+  /// Products of a region's columns (rows) with an entry's. A search asks for the same ones again
+  /// and again.
+  const Eigen::MatrixXd& products(int region, int entry) const;
   ConditionalMoments conditional(int entry, const Fit& given) const;
   Eigen::VectorXd precisions(const Slots& slots) const;
   bool meets(int entry, int region) const;
@@ -76,6 +84,9 @@ class SlotModel {
   const SmallErrors& errors_;
   std::vector<Entry> entries_;
   std::vector<int> regions_;  ///< of every entry
+  mutable std::shared_mutex guard_;
+  /// By region and entry.
+  mutable std::map<std::pair<int, int>, std::unique_ptr<Eigen::MatrixXd>> products_;
 };
 
 }  // namespace sinew::diagnosis

@@ -39,9 +39,9 @@ struct DriveSearch {
 TEST_CASE("rows count for less where what was found is large", "[slow]") {
   const DriveSearch s("viscous asymmetry", 20.0, 41);
   REQUIRE_FALSE(s.found->slots.entries.empty());
-  const Hypotheses all = make_hypotheses(s.design, s.baseline);
   const Whitening noise_alone =
-      whitening_of(s.design, all, immaterial_variance(s.design, s.drive.settings, all.parts.base));
+      whitening_beside(s.design, s.found->model,
+                       immaterial_variance(s.design, s.drive.settings, s.found->all.parts.base));
   const Eigen::VectorXd share =
       s.found->whitening.training.front().cwiseQuotient(noise_alone.training.front());
   CHECK(share.maxCoeff() <= 1.0 + 1e-9);
