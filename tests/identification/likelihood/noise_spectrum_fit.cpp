@@ -98,3 +98,21 @@ TEST_CASE("a spectrum is not taken to leap where a fit has left no bins") {
     CHECK(std::abs(off) < 4.0);
   }
 }
+
+// Two explanations under different noise are compared by it. Seen red without what channels share.
+TEST_CASE("the volume of the noise is its covariance's determinant") {
+  using Eigen::MatrixXd;
+  using Eigen::VectorXd;
+  constexpr int rows = 7;
+  Whitening whitening;
+  whitening.training = {VectorXd::Constant(rows, 2.0), VectorXd::Constant(rows, 0.5), VectorXd()};
+  MatrixXd correlation(2, 2);
+  correlation << 1.0, 0.6, 0.6, 1.0;
+  whitening.shared.push_back({{0, 1}, correlation});
+  const double determinant =
+      std::pow(1.0 / 4.0, rows) * std::pow(4.0, rows) * std::pow(correlation.determinant(), rows);
+  CHECK(log_scale(whitening) == Approx(-0.5 * std::log(determinant)).epsilon(1e-6));
+  // Of a row that is known twice as well the volume is half as large.
+  whitening.training[0](3) *= 2.0;
+  CHECK(log_scale(whitening) == Approx(-0.5 * std::log(determinant) + std::log(2.0)).epsilon(1e-6));
+}
