@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/likelihood/fitted_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -35,6 +36,7 @@ VectorXd start_of(const FoundSlots& found, std::size_t slot) {
   }
   return start;
 }
+
 }  // namespace
 
 void fit_shapes(const Design& design, FoundSlots& found) {
@@ -64,6 +66,7 @@ void fit_shapes(const Design& design, FoundSlots& found) {
   std::move(sorted.begin(), sorted.end(),
             found.model.terms.begin() + static_cast<std::ptrdiff_t>(first));
 }
+
 bool add_fitted_shapes(const Design& design, FoundSlots& found) {
   bool added = false;
   const std::size_t first = found.model.terms.size() - found.slots.entries.size();
@@ -82,6 +85,7 @@ bool add_fitted_shapes(const Design& design, FoundSlots& found) {
   }
   return added;
 }
+
 bool ban_impossible(const Design& design, const FoundSlots& found, std::vector<bool>& banned) {
   if (found.slots.entries.empty()) return false;
   const LinearFit fit = solve(stack(found.model, found.whitening.training));
@@ -96,4 +100,5 @@ bool ban_impossible(const Design& design, const FoundSlots& found, std::vector<b
   }
   return any;
 }
+
 }  // namespace sinew::diagnosis

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/likelihood/found_slots.h"
 
-#include <limits>
+#include <algorithm>
 #include <utility>
 
 #include "identification/diagnosis/materiality.h"
@@ -73,6 +73,7 @@ void add_form_errors(const Whitening& noise_alone, FoundSlots& found) {
       found.whitening.noise_share[s] = weight.cwiseQuotient(alone);
     }
 }
+
 /// What a search is about, beside what it finds.
 struct Searched {
   const Design& design;

@@ -277,7 +277,7 @@ Whitening whitening_beside(const Design& design, const Model& model, const Vecto
   return whitening_from(design, model.target, fitted, floor, {});
 }
 
-double log_scale(const Whitening& whitening) {
+double log_determinant(const Whitening& whitening) {
   double sum = 0.0;
   for (const VectorXd& weight : whitening.training)
     if (weight.size() > 0) sum += weight.array().log().sum();

@@ -65,8 +65,8 @@ Whitening whitening_of(const Design& design, const Hypotheses& all, const Eigen:
 /// From what a model leaves over of the training logs.
 Whitening whitening_beside(const Design& design, const Model& model, const Eigen::VectorXd& floor);
 
-/// log of the volume that whitening divides the training logs' rows by, up to a constant: -1/2 log
-/// det of the noise's covariance.
-double log_scale(const Whitening& whitening);
+/// log of the determinant of what whitening multiplies the training logs' rows with: -1/2 log det
+/// of their noise's covariance. `noise_share`, of errors of form, is not part of it.
+double log_determinant(const Whitening& whitening);
 
 }  // namespace sinew::diagnosis

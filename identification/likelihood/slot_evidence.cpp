@@ -18,8 +18,9 @@ constexpr double kShares[] = {1e-4, 3.2e-4, 1e-3, 3.2e-3, 1e-2};
 /// up to what all of them have in common.
 double evidence_of(const FoundSlots& found, const SmallErrors& errors, double share,
                    const Slots& slots) {
-  return log_scale(found.whitening) + found.moments.log_free_volume + errors.log_likelihood() +
-         slots.log_posterior - kPriceOfDecade * std::log10(share / kShares[0]);
+  return log_determinant(found.whitening) + found.moments.log_free_volume +
+         errors.log_likelihood() + slots.log_posterior -
+         kPriceOfDecade * std::log10(share / kShares[0]);
 }
 
 /// Slots with names alone, where they explain as much but for what their forms are off by; the

@@ -100,7 +100,7 @@ TEST_CASE("a spectrum is not taken to leap where a fit has left no bins") {
 }
 
 // Two explanations under different noise are compared by it. Seen red without what channels share.
-TEST_CASE("the volume of the noise is its covariance's determinant") {
+TEST_CASE("whitening has the determinant of the noise's covariance") {
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
   constexpr int rows = 7;
@@ -111,8 +111,9 @@ TEST_CASE("the volume of the noise is its covariance's determinant") {
   whitening.shared.push_back({{0, 1}, correlation});
   const double determinant =
       std::pow(1.0 / 4.0, rows) * std::pow(4.0, rows) * std::pow(correlation.determinant(), rows);
-  CHECK(log_scale(whitening) == Approx(-0.5 * std::log(determinant)).epsilon(1e-6));
-  // Of a row that is known twice as well the volume is half as large.
+  CHECK(log_determinant(whitening) == Approx(-0.5 * std::log(determinant)).epsilon(1e-6));
+  // A row that is known twice as well.
   whitening.training[0](3) *= 2.0;
-  CHECK(log_scale(whitening) == Approx(-0.5 * std::log(determinant) + std::log(2.0)).epsilon(1e-6));
+  CHECK(log_determinant(whitening) ==
+        Approx(-0.5 * std::log(determinant) + std::log(2.0)).epsilon(1e-6));
 }
