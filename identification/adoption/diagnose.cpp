@@ -92,7 +92,7 @@ class Run {
     if (!request_.settings.first_look) {
       force = find_undisturbed(
           [&](const DrivenSubject& rest, const IsWanted& is_wanted) {
-            return explain(rest.problem(), request_.settings, is_wanted);
+            return explain(rest.problem(), request_.settings, is_wanted, explanation.forms);
           },
           request_.settings, subject_, explanation);
       look_at_standstills(explanation);

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "identification/diagnosis/select.h"
+#include "identification/diagnosis/slot_form.h"
 #include "identification/diagnosis/verdict.h"
 
 namespace sinew::diagnosis {
@@ -19,6 +20,9 @@ struct Explanation {
   Selection adopted;
   /// Terms of what was found and has no name: in no model, but part of what the logs hold.
   std::vector<Term> structure;
+  /// What the likelihood has found, named or not: another search of nearly the same logs begins
+  /// from it.
+  std::vector<SlotForm> forms;
 };
 
 /// Asked once, when the selection and the causes of the library are final: false where no more than

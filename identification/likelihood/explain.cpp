@@ -6,9 +6,10 @@
 
 namespace sinew::diagnosis {
 
-Explanation explain(const Problem& problem, const Settings& settings, const IsWanted& is_wanted) {
+Explanation explain(const Problem& problem, const Settings& settings, const IsWanted& is_wanted,
+                    const std::vector<SlotForm>& beginning) {
   if (!settings.by_likelihood) return explain_by_rules(problem, settings, is_wanted);
-  Explanation explanation = explain_by_likelihood(problem, settings);
+  Explanation explanation = explain_by_likelihood(problem, settings, beginning);
   if (is_wanted) is_wanted(explanation);
   return explanation;
 }

@@ -11,7 +11,9 @@ namespace sinew::diagnosis {
 /// afterwards (propose_experiments, diagnosis/separation.h). Deterministic for given settings.
 /// Throws std::invalid_argument where no log is long enough. `is_wanted`: whether more than the
 /// selection is (explanation.h); the likelihood has all of it at once.
+/// `beginning`: forms of an explanation of nearly the same logs, which is quicker than from
+/// nothing; the rules know of none.
 Explanation explain(const Problem& problem, const Settings& settings,
-                    const IsWanted& is_wanted = {});
+                    const IsWanted& is_wanted = {}, const std::vector<SlotForm>& beginning = {});
 
 }  // namespace sinew::diagnosis

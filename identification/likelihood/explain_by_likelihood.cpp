@@ -209,14 +209,16 @@ std::vector<NamedCause> measured_causes(const Measured& m, const std::vector<Nam
 
 }  // namespace
 
-Explanation explain_by_likelihood(const Problem& problem, const Settings& settings) {
+Explanation explain_by_likelihood(const Problem& problem, const Settings& settings,
+                                  const std::vector<SlotForm>& beginning) {
   Design design(problem, settings);
   design.set_units(left_over(design, baseline_model(design)));
   const Model baseline = fitted_baseline(design);
-  const auto found = find_slots(design, settings, baseline);
+  const auto found = find_slots(design, settings, baseline, beginning);
   const std::vector<NamedCause> of_slot = name_slots(*found);
   Explanation result;
   result.structure = structure_of(*found, of_slot);
+  result.forms = found->forms;
   Selection adopted;
   adopted.model = named_model(design, *found, of_slot);
   adopted.noise = own_noise(design, adopted.model);

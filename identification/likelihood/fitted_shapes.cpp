@@ -37,34 +37,63 @@ VectorXd start_of(const FoundSlots& found, std::size_t slot) {
   return start;
 }
 
-}  // namespace
+/// A hypothesis with what its shape is fitted from.
+struct Start {
+  int hypothesis = 0;
+  VectorXd nonlinear;
+};
 
-void fit_shapes(const Design& design, FoundSlots& found) {
+void append_start(const Design& design, const Start& start, FoundSlots& found) {
+  const Hypothesis& h = found.all.list[static_cast<std::size_t>(start.hypothesis)];
+  if (h.source->kind == CandidateKind::delay)
+    append_term(design, found.whitening.training, *h.source, VectorXd::Zero(1), found.model);
+  else if (h.candidate < 0)
+    found.model.terms.push_back(term_of(found.all, h.shapes.front()));
+  else
+    found.model.terms.push_back(make_term(design, *h.source, start.nonlinear, false));
+}
+
+void fit_starts(const Design& design, const std::vector<Start>& starts, FoundSlots& found) {
   found.model = found.all.parts.base;
-  const std::size_t count = found.slots.entries.size();
   const std::size_t first = found.model.terms.size();
   std::vector<std::size_t> order;
   for (const bool delays : {false, true})
-    for (std::size_t i = 0; i < count; ++i) {
-      const Entry& e = found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])];
-      const Hypothesis& h = found.all.list[static_cast<std::size_t>(e.hypothesis)];
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      const Hypothesis& h = found.all.list[static_cast<std::size_t>(starts[i].hypothesis)];
       if ((h.source->kind == CandidateKind::delay) != delays) continue;
       order.push_back(i);
-      if (delays)
-        append_term(design, found.whitening.training, *h.source, VectorXd::Zero(1), found.model);
-      else if (h.candidate < 0)
-        found.model.terms.push_back(term_of(found.all, e.shapes.front()));
-      else
-        found.model.terms.push_back(make_term(design, *h.source, start_of(found, i), false));
+      append_start(design, starts[i], found);
     }
-  if (count == 0) return;
+  if (starts.empty()) return;
   for (std::size_t t = first; t < found.model.terms.size(); ++t)
     found.model.terms[t].with_prior = true;
   refine(design, found.whitening.training, RefineScope::all_terms, found.model);
-  std::vector<Term> sorted(count);
-  for (std::size_t k = 0; k < count; ++k) sorted[order[k]] = found.model.terms[first + k];
+  std::vector<Term> sorted(starts.size());
+  for (std::size_t k = 0; k < starts.size(); ++k) sorted[order[k]] = found.model.terms[first + k];
   std::move(sorted.begin(), sorted.end(),
             found.model.terms.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
+}  // namespace
+
+void fit_shapes(const Design& design, FoundSlots& found) {
+  std::vector<Start> starts;
+  for (std::size_t i = 0; i < found.slots.entries.size(); ++i)
+    starts.push_back(
+        {found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])].hypothesis,
+         start_of(found, i)});
+  fit_starts(design, starts, found);
+  const auto terms = found.model.terms.end() - static_cast<std::ptrdiff_t>(starts.size());
+  found.forms = slot_forms(found.all, *found.search, found.slots, {terms, found.model.terms.end()});
+}
+
+void fit_forms(const Design& design, const std::vector<SlotForm>& forms, FoundSlots& found) {
+  std::vector<Start> starts;
+  for (const SlotForm& form : forms) {
+    const int hypothesis = hypothesis_of(found.all, form);
+    if (hypothesis >= 0) starts.push_back({hypothesis, form.nonlinear});
+  }
+  fit_starts(design, starts, found);
 }
 
 bool add_fitted_shapes(const Design& design, FoundSlots& found) {

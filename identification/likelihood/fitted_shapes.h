@@ -9,8 +9,11 @@
 namespace sinew::diagnosis {
 
 /// The model with a term for every slot, its shapes fitted together. Delays come last: their column
-/// is the rate of all else.
+/// is the rate of all else. The slots' forms are what the next search begins from.
 void fit_shapes(const Design& design, FoundSlots& found);
+
+/// The model with a term for every form of another search whose hypothesis is there, likewise.
+void fit_forms(const Design& design, const std::vector<SlotForm>& forms, FoundSlots& found);
 
 /// Fitted shapes that are no grid points become shapes of their hypotheses. False: there are none.
 bool add_fitted_shapes(const Design& design, FoundSlots& found);

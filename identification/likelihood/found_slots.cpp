@@ -86,28 +86,43 @@ struct Searched {
 void try_noise(Whitening noise, const Searched& s, FoundSlots& found) {
   found.whitening = std::move(noise);
   found.moments = moments_of(s.design, found.all, found.whitening);
+  found.forms.clear();
   grow_slots(s.most, s.banned, found);
   fit_shapes(s.design, found);
   found.whitening = whitening_beside(s.design, found.model, s.floor);
   found.moments = moments_of(s.design, found.all, found.whitening);
   grow_slots(s.most, s.banned, found);
+  fit_shapes(s.design, found);
 }
 
 /// The noise to begin with. Beside a fit of everything too little is left of it where that takes
 /// all rows of a frequency; beside the model alone all that is hidden counts as noise. The more
 /// probable one of where the two lead.
-Whitening first_noise(const Searched& s, FoundSlots& found) {
+void first_noise(const Searched& s, FoundSlots& found) {
   try_noise(whitening_of(s.design, found.all, s.floor), s, found);
   Whitening beside_everything = std::move(found.whitening);
-  const double evidence = found.evidence;
+  std::vector<SlotForm> forms = std::move(found.forms);
+  const double evidence = found.evidence, share = found.small_errors;
   try_noise(whitening_beside(s.design, found.all.parts.base, s.floor), s, found);
-  return found.evidence >= evidence ? std::move(found.whitening) : std::move(beside_everything);
+  if (found.evidence >= evidence) return;
+  found.whitening = std::move(beside_everything);
+  found.forms = std::move(forms);
+  found.small_errors = share;
+}
+
+/// The noise beside what another search has found.
+void noise_beside(const std::vector<SlotForm>& forms, const Searched& s, FoundSlots& found) {
+  found.whitening = whitening_beside(s.design, found.all.parts.base, s.floor);
+  fit_forms(s.design, forms, found);
+  found.whitening = whitening_beside(s.design, found.model, s.floor);
+  found.forms = forms;
 }
 
 }  // namespace
 
 std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
-                                       const Model& baseline) {
+                                       const Model& baseline,
+                                       const std::vector<SlotForm>& beginning) {
   auto found = std::make_unique<FoundSlots>();
   found->all = make_hypotheses(design, baseline);
   // A machine whose drives are not in its model lacks four values a joint, and links' besides.
@@ -116,10 +131,17 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
              std::max(settings.most_causes, per_channel * design.problem().channels),
              std::vector<bool>(found->all.list.size(), false)};
   constexpr int most_bans = 6;
-  found->whitening = first_noise(s, *found);
+  if (beginning.empty())
+    first_noise(s, *found);
+  else
+    noise_beside(beginning, s, *found);
   found->moments = moments_of(design, found->all, found->whitening);
   for (int round = 0, bans = 0;;) {
-    search_slots(s.most, s.banned, *found);
+    // What a slot's rivals are is asked once the errors of what was found are known.
+    if (round == 0 && !found->forms.empty())
+      grow_slots(s.most, s.banned, *found);
+    else
+      search_slots(s.most, s.banned, *found);
     fit_shapes(design, *found);
     if (bans < most_bans && ban_impossible(design, *found, s.banned)) {
       ++bans;

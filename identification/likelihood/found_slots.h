@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "identification/likelihood/noise_spectrum_fit.h"
-#include "identification/likelihood/slot_search.h"
+#include "identification/likelihood/slot_forms.h"
 
 namespace sinew::diagnosis {
+
+/// The least share by which everything may be off.
+inline constexpr double kLeastShare = 1e-4;
 
 /// What was found, and all that it rests on.
 struct FoundSlots {
@@ -18,14 +21,17 @@ struct FoundSlots {
   std::unique_ptr<SmallErrors> errors;  ///< points to `moments`
   std::unique_ptr<SlotSearch> search;   ///< points to all of these
   Slots slots;
-  Model model;                ///< the base's terms, then one term a slot, in their order
-  double small_errors = 0.0;  ///< share by which everything is off
-  double evidence = 0.0;      ///< log of the logs' probability and the slots' odds, to be compared
+  Model model;                        ///< the base's terms, then one term a slot, in their order
+  double small_errors = kLeastShare;  ///< share by which everything is off
+  double evidence = 0.0;  ///< log of the logs' probability and the slots' odds, to be compared
+  std::vector<SlotForm> forms;  ///< what the next search begins from; empty: nothing
 };
 
-/// `baseline`: as for make_hypotheses().
+/// `baseline`: as for make_hypotheses(). `beginning`: what another search of nearly the same logs
+/// has found; empty: nothing is known yet.
 std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
-                                       const Model& baseline);
+                                       const Model& baseline,
+                                       const std::vector<SlotForm>& beginning);
 
 /// Per channel, the variance of a sample that is not material.
 Eigen::VectorXd immaterial_variance(const Design& design, const Settings& settings,

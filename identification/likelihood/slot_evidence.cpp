@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/likelihood/slot_evidence.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -12,7 +14,7 @@ namespace {
 
 // Shares by which everything may be off. Four decades are all between a simulator and a rough
 // model.
-constexpr double kShares[] = {1e-4, 3.2e-4, 1e-3, 3.2e-3, 1e-2};
+constexpr double kShares[] = {kLeastShare, 3.2e-4, 1e-3, 3.2e-3, 1e-2};
 
 /// log probability of the logs and odds of the slots under one noise and one share of small errors,
 /// up to what all of them have in common.
@@ -36,20 +38,55 @@ Slots named_if_as_good(SlotSearch& search, Slots best) {
 
 }  // namespace
 
-void grow_slots(int most, const std::vector<bool>& banned, FoundSlots& found) {
-  found.evidence = -std::numeric_limits<double>::infinity();
-  Slots slots;
-  for (const double share : kShares) {
+namespace {
+
+struct Grower {
+  int most;
+  const std::vector<bool>& banned;
+  FoundSlots& found;
+
+  /// Searches one share; kept where it is the most probable so far. Its slots are where the next
+  /// one begins. False: it is not the most probable.
+  bool try_share(int at, Slots& slots) {
+    const double share = kShares[at];
     auto errors = std::make_unique<SmallErrors>(found.moments, found.all, share);
     auto by = std::make_unique<SlotSearch>(found.all, *errors, most, banned);
-    slots = share == kShares[0] ? by->find() : by->find(std::move(slots));
+    if (slots.entries.empty()) slots = slots_of_forms(found.all, *by, found.forms);
+    slots = slots.entries.empty() ? by->find() : by->find(std::move(slots));
     const double evidence = evidence_of(found, *errors, share, slots);
-    if (evidence <= found.evidence) continue;
+    if (evidence <= found.evidence) return false;
     found.evidence = evidence;
     found.small_errors = share;
     found.search = std::move(by);
     found.errors = std::move(errors);
     found.slots = slots;
+    return true;
+  }
+};
+
+int place_of_share(double share) {
+  return static_cast<int>(std::find(std::begin(kShares), std::end(kShares), share) -
+                          std::begin(kShares));
+}
+
+}  // namespace
+
+void grow_slots(int most, const std::vector<bool>& banned, FoundSlots& found) {
+  constexpr int count = static_cast<int>(std::size(kShares));
+  found.evidence = -std::numeric_limits<double>::infinity();
+  Grower grower{most, banned, found};
+  Slots slots;
+  if (found.forms.empty()) {
+    for (int at = 0; at < count; ++at) grower.try_share(at, slots);
+    return;
+  }
+  const int known = place_of_share(found.small_errors);
+  grower.try_share(known, slots);
+  const Slots first = slots;
+  for (int at = known + 1; at < count && grower.try_share(at, slots); ++at) {
+  }
+  slots = first;
+  for (int at = known - 1; at >= 0 && grower.try_share(at, slots); --at) {
   }
 }
 

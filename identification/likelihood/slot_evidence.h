@@ -8,8 +8,9 @@
 
 namespace sinew::diagnosis {
 
-/// Searches the moments of `found` from nothing at every share of small errors and keeps the most
-/// probable: its search, slots, share and evidence. `most`: slots at most; `banned`: of every
+/// Searches the moments of `found` at every share of small errors, or from its forms at the share
+/// they were found at and those beside it that are more probable, and keeps the most probable: its
+/// search, slots, share and evidence. `most`: slots at most; `banned`: of every
 /// hypothesis, whether it is left out.
 void grow_slots(int most, const std::vector<bool>& banned, FoundSlots& found);
 

@@ -2,7 +2,11 @@
 #include "identification/likelihood/slot_model.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <string>
 
 #include "identification/likelihood/decision_constants.h"
 #include "identification/regression/body_limits.h"
@@ -18,12 +22,30 @@ using Eigen::VectorXd;
 // A wrong side of a limit is forgiven by chance only.
 constexpr double kStandardErrors = 2.0;
 
+MatrixXd lower_times(const MatrixXd& lower, const MatrixXd& right) {
+  constexpr Index width = 128;
+  MatrixXd product(right.rows(), right.cols());
+  if (product.size() == 0) return product;
+  inner_loop(static_cast<std::size_t>((right.cols() + width - 1) / width), [&](std::size_t i) {
+    const Index first = static_cast<Index>(i) * width;
+    const Index count = std::min(width, right.cols() - first);
+    product.middleCols(first, count).noalias() =
+        lower.triangularView<Eigen::Lower>() * right.middleCols(first, count);
+  });
+  return product;
+}
+
 }  // namespace
 
 SlotModel::SlotModel(const Hypotheses& all, const SmallErrors& errors,
                      const std::vector<bool>& banned)
     : all_(all), errors_(errors), entries_(make_entries(all, errors, banned)) {
   for (const Entry& e : entries_) regions_.push_back(errors.moments().regions().of(e.columns));
+  std::map<std::pair<std::string, std::string>, int> known;
+  for (const Hypothesis& h : all.list)
+    causes_.push_back(
+        known.emplace(std::pair{h.source->name, h.source->place}, static_cast<int>(known.size()))
+            .first->second);
 }
 
 const Hypothesis& SlotModel::hypothesis_of(int entry) const {
@@ -55,8 +77,8 @@ SlotModel::Posterior SlotModel::posterior(const Slots& slots) const {
   MatrixXd gram = errors_.gram(p.columns, p.columns);
   gram.diagonal() += p.precision;
   const Eigen::LLT<MatrixXd> factor(gram);
-  p.lower = factor.matrixL();
-  p.inverse = factor.solve(MatrixXd::Identity(gram.rows(), gram.cols()));
+  p.root = factor.matrixL().solve(MatrixXd::Identity(gram.rows(), gram.cols()));
+  p.inverse = p.root.transpose() * p.root;
   p.coefficients = p.inverse * VectorXd(errors_.target()(p.columns));
   return p;
 }
@@ -69,25 +91,64 @@ const MatrixXd& SlotModel::products(int region, int entry) const {
     if (known != products_.end()) return *known->second;
   }
   auto made =
-      std::make_unique<MatrixXd>(errors_.gram(errors_.moments().regions().columns(region),
-                                              entries_[static_cast<std::size_t>(entry)].columns));
+      std::make_unique<MatrixXd>(errors_.gram(entries_[static_cast<std::size_t>(entry)].columns,
+                                              errors_.moments().regions().columns(region)));
   const std::unique_lock lock(guard_);
   return *products_.emplace(key, std::move(made)).first->second;
 }
 
 SlotModel::Fit SlotModel::fit(const Slots& slots, int region) const {
   const std::vector<Index>& columns = errors_.moments().regions().columns(region);
-  Fit f{posterior(slots), region, {}, errors_.target()(columns)};
-  if (f.columns.empty()) return f;
-  MatrixXd cross(static_cast<Index>(columns.size()), static_cast<Index>(f.columns.size()));
+  Fit f;
+  static_cast<Posterior&>(f) = posterior(slots);
+  f.region = region;
+  f.target = errors_.target()(columns);
+  const auto count = static_cast<Index>(f.columns.size());
+  f.of_cross.resize(f.columns.size());
+  std::iota(f.of_cross.begin(), f.of_cross.end(), Index{0});
+  MatrixXd cross(count, static_cast<Index>(columns.size()));
   Index first = 0;
   for (const int e : slots.entries) {
     const MatrixXd& own = products(region, e);
-    cross.middleCols(first, own.cols()) = own;
-    first += own.cols();
+    cross.middleRows(first, own.rows()) = own;
+    first += own.rows();
   }
-  f.target -= cross * f.coefficients;
-  f.taken = f.lower.triangularView<Eigen::Lower>().solve(MatrixXd(cross.transpose()));
+  f.given_back.resize(0, cross.cols());
+  f.target.noalias() -= cross.transpose() * f.coefficients;
+  f.taken = std::make_shared<const MatrixXd>(lower_times(f.root, cross));
+  f.cross = std::make_shared<const MatrixXd>(std::move(cross));
+  return f;
+}
+
+SlotModel::Fit SlotModel::fit_without(const Fit& whole, const Slots& slots,
+                                      std::size_t slot) const {
+  Index first = 0;
+  for (std::size_t i = 0; i < slot; ++i)
+    first += static_cast<Index>(columns_of(slots.entries[i]).size());
+  const auto wide = static_cast<Index>(columns_of(slots.entries[slot]).size());
+  // The directions, among all that the model takes, that are the slot's alone.
+  const Eigen::HouseholderQR<MatrixXd> qr(whole.root.middleCols(first, wide));
+  const MatrixXd alone = qr.householderQ() * MatrixXd::Identity(whole.root.rows(), wide);
+  const VectorXd size =
+      qr.matrixQR().topRows(wide).triangularView<Eigen::Upper>().transpose().solve(
+          whole.coefficients.segment(first, wide));
+  const MatrixXd of_others = whole.root.transpose() * alone;
+  std::vector<Index> kept;
+  for (Index c = 0; c < whole.root.cols(); ++c)
+    if (c < first || c >= first + wide) kept.push_back(c);
+  Fit f;
+  f.region = whole.region;
+  f.cross = whole.cross;
+  f.taken = whole.taken;
+  f.given_back.noalias() = alone.transpose() * *whole.taken;
+  f.target = whole.target + f.given_back.transpose() * size;
+  f.coefficients = (whole.coefficients - of_others * size)(kept);
+  f.inverse = (whole.inverse - of_others * of_others.transpose())(kept, kept);
+  f.precision = whole.precision(kept);
+  for (const Index c : kept) {
+    f.columns.push_back(whole.columns[static_cast<std::size_t>(c)]);
+    f.of_cross.push_back(c);
+  }
   return f;
 }
 
@@ -97,41 +158,36 @@ ConditionalMoments SlotModel::conditional(int entry, const Fit& given) const {
   const std::vector<Index> at = errors_.moments().regions().places(given.region, e.columns);
   ConditionalMoments m = e.alone;
   m.target = given.target(at);
-  if (!given.columns.empty())
-    m.gram -= given.taken(Eigen::all, at).transpose() * given.taken(Eigen::all, at);
+  const MatrixXd taken = (*given.taken)(Eigen::all, at), back = given.given_back(Eigen::all, at);
+  m.gram.noalias() -= taken.transpose() * taken;
+  m.gram.noalias() += back.transpose() * back;
   return m;
 }
 
-BayesFactor SlotModel::factor(int entry, const Fit& given) const {
+BayesFactor SlotModel::factor(int entry, const Fit& given, double least) const {
   const Entry& e = entries_[static_cast<std::size_t>(entry)];
   const ConditionalMoments m = conditional(entry, given);
   // What the model spans already has nothing to say for itself.
   constexpr double kExcited = 1e-5;
   if (m.gram.diagonal().maxCoeff() < kExcited * e.alone.gram.diagonal().maxCoeff())
     return {kNoOdds, 0.0};
-  // How improbable the improbable is nobody asks: a bound is enough.
-  constexpr double negligible = -20.0;
   const double most = most_by_fit(m);
-  if (most + e.log_prior < negligible) return {most, kSmallestSize * kSmallestSize};
+  if (most + e.log_prior < least) return {most, kSmallestSize * kSmallestSize};
   return bayes_factor_of(m);
 }
 
 /// Of the entries whose columns a fit's region has.
-std::vector<double> SlotModel::log_odds(const Slots& given, const Fit& f, bool names_alone) const {
-  std::vector<bool> taken(all_.list.size(), false);
-  for (const int g : given.entries) {
-    const Candidate& held = *hypothesis_of(g).source;
-    // One cause is named once, whatever its forms.
-    for (std::size_t h = 0; h < all_.list.size(); ++h)
-      if (all_.list[h].source->name == held.name && all_.list[h].source->place == held.place)
-        taken[h] = true;
-  }
+std::vector<double> SlotModel::log_odds(const Slots& given, const Fit& f, bool names_alone,
+                                        double least) const {
+  std::vector<bool> taken(causes_.size(), false);  // one cause is named once, whatever its forms
+  for (const int g : given.entries) taken[static_cast<std::size_t>(cause_of(g))] = true;
   std::vector<double> odds(entries_.size(), kNoOdds);
   inner_loop(entries_.size(), [&](std::size_t i) {
     const Entry& e = entries_[i];
-    const auto h = static_cast<std::size_t>(e.hypothesis);
-    if (!taken[h] && meets(static_cast<int>(i), f.region) && (all_.list[h].named || !names_alone))
-      odds[i] = factor(static_cast<int>(i), f).logarithm + e.log_prior;
+    const auto entry = static_cast<int>(i);
+    if (!taken[static_cast<std::size_t>(cause_of(entry))] && meets(entry, f.region) &&
+        (hypothesis_of(entry).named || !names_alone))
+      odds[i] = factor(entry, f, least).logarithm + e.log_prior;
   });
   return odds;
 }
@@ -192,8 +248,7 @@ bool SlotModel::stays_possible(const Slots& given, const Fit& f, int entry, doub
   const std::vector<Index> at = errors_.moments().regions().places(
       f.region, entries_[static_cast<std::size_t>(entry)].columns);
   // What of the model's coefficients one of the entry's takes.
-  const MatrixXd taken =
-      f.lower.triangularView<Eigen::Lower>().transpose().solve(MatrixXd(f.taken(Eigen::all, at)));
+  const MatrixXd taken = f.inverse * (*f.cross)(f.of_cross, at);
   const VectorXd more =
       taken.cwiseProduct(factor.solve(taken.transpose()).transpose()).rowwise().sum();
   return is_possible(given.entries, f.coefficients - taken * own, f.inverse.diagonal() + more);

@@ -25,22 +25,29 @@ struct Slots {
 /// Log odds of what is not to be taken.
 inline constexpr double kNoOdds = -std::numeric_limits<double>::infinity();
 
+/// How improbable the improbable is nobody asks.
+inline constexpr double kNegligibleOdds = -20.0;
+
 class SlotModel {
  public:
   /// The model with some entries.
   struct Posterior {
     std::vector<Eigen::Index> columns;  ///< the entries'
     Eigen::VectorXd precision;          ///< prior precision of the model's coefficients
-    Eigen::MatrixXd lower;              ///< of the posterior precision of the model's coefficients
+    Eigen::MatrixXd root;               ///< its transpose times it: their posterior covariance
     Eigen::MatrixXd inverse;            ///< their posterior covariance
     Eigen::VectorXd coefficients;
   };
 
-  /// What the model with some entries leaves to a region's columns.
+  /// What the model with some entries leaves to a region's columns: of their Gram matrix taken'
+  /// taken is gone, less given_back' given_back.
   struct Fit : Posterior {
     int region = Regions::kEverywhere;
-    Eigen::MatrixXd taken;   ///< its transpose times it: what the model takes of their Gram matrix
-    Eigen::VectorXd target;  ///< products of the columns with what is left over
+    std::shared_ptr<const Eigen::MatrixXd> cross;  ///< coefficients x columns: products
+    std::shared_ptr<const Eigen::MatrixXd> taken;
+    Eigen::MatrixXd given_back;          ///< by a slot that is left out; no rows where none is
+    std::vector<Eigen::Index> of_cross;  ///< of each coefficient its row there
+    Eigen::VectorXd target;              ///< products of the columns with what is left over
   };
 
   /// `banned`: hypotheses that are not to be taken.
@@ -53,11 +60,14 @@ class SlotModel {
   int regions() const { return errors_.moments().regions().count(); }
 
   Fit fit(const Slots& slots, int region) const;
+  /// The fit of all slots but one from that of all of them: far less work than from nothing.
+  Fit fit_without(const Fit& whole, const Slots& slots, std::size_t slot) const;
   /// Of an entry on top of a model that is fitted in a region which has its columns.
-  BayesFactor factor(int entry, const Fit& given) const;
+  BayesFactor factor(int entry, const Fit& given, double least = kNegligibleOdds) const;
   /// Of every entry whose columns the fit's region has, kNoOdds for the others and for other forms
-  /// of what the slots hold.
-  std::vector<double> log_odds(const Slots& given, const Fit& f, bool names_alone) const;
+  /// of what the slots hold. Those below `least` are bounds.
+  std::vector<double> log_odds(const Slots& given, const Fit& f, bool names_alone,
+                               double least = kNegligibleOdds) const;
   /// Whether all coefficients are within their limits.
   bool is_possible(const Slots& slots) const;
   /// The same with one more entry of that prior variance, from the fit without it.
@@ -69,12 +79,18 @@ class SlotModel {
 
  private:
   Posterior posterior(const Slots& slots) const;
-  /// Products of a region's columns (rows) with an entry's. A search asks for the same ones again
+  /// Products of an entry's columns (rows) with a region's. A search asks for the same ones again
   /// and again.
   const Eigen::MatrixXd& products(int region, int entry) const;
   ConditionalMoments conditional(int entry, const Fit& given) const;
   Eigen::VectorXd precisions(const Slots& slots) const;
   bool meets(int entry, int region) const;
+  const std::vector<Eigen::Index>& columns_of(int entry) const {
+    return entries_[static_cast<std::size_t>(entry)].columns;
+  }
+  int cause_of(int entry) const {
+    return causes_[static_cast<std::size_t>(entries_[static_cast<std::size_t>(entry)].hypothesis)];
+  }
   bool is_possible(const std::vector<int>& entries, const Eigen::VectorXd& coefficients,
                    const Eigen::VectorXd& variances) const;
   bool is_possible(int entry, const Eigen::VectorXd& coefficients,
@@ -84,6 +100,7 @@ class SlotModel {
   const SmallErrors& errors_;
   std::vector<Entry> entries_;
   std::vector<int> regions_;  ///< of every entry
+  std::vector<int> causes_;   ///< of every hypothesis: one number for all forms of one cause
   mutable std::shared_mutex guard_;
   /// By region and entry.
   mutable std::map<std::pair<int, int>, std::unique_ptr<Eigen::MatrixXd>> products_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -53,10 +54,9 @@ Slots SlotSearch::sized(const Slots& given, const SlotModel::Fit& f, int entry) 
 }
 
 /// With the entry of the largest odds above 0 that leaves every slot within its limits.
-std::optional<Slots> SlotSearch::with_best(const Slots& given, int region) const {
+std::optional<Slots> SlotSearch::with_best(const Slots& given, const SlotModel::Fit& f) const {
   constexpr std::size_t most_tried = 40;
-  const SlotModel::Fit f = model_.fit(given, region);
-  const std::vector<double> odds = model_.log_odds(given, f, names_alone_);
+  const std::vector<double> odds = model_.log_odds(given, f, names_alone_, 0.0);
   std::vector<int> order;
   for (std::size_t e = 0; e < odds.size(); ++e)
     if (odds[e] > 0.0) order.push_back(static_cast<int>(e));
@@ -78,20 +78,29 @@ std::optional<Slots> SlotSearch::with_best(const Slots& given, int region) const
 bool SlotSearch::polish(Slots& slots, int region) const {
   constexpr double same = 1e-6;  // of a variance: it is one of a few sizes
   bool changed = false;
+  std::map<int, SlotModel::Fit> whole;  // of all slots, by region
   for (std::size_t i = 0; i < slots.entries.size();) {
-    if (region != Regions::kEverywhere && model_.region_of(slots.entries[i]) != region) {
+    const int own = model_.region_of(slots.entries[i]);
+    if (region != Regions::kEverywhere && own != region) {
       ++i;
       continue;
     }
+    if (!whole.contains(own)) whole.emplace(own, model_.fit(slots, own));
     Slots others = without(slots, i);
-    const std::optional<Slots> best = with_best(others, model_.region_of(slots.entries[i]));
-    if (!best) {
-      slots = std::move(others);
-      changed = true;
+    const std::optional<Slots> best =
+        with_best(others, model_.fit_without(whole.at(own), slots, i));
+    const bool stays = best && best->entries.back() == slots.entries[i] &&
+                       std::abs(best->variances.back() / slots.variances[i] - 1.0) <= same;
+    if (stays) {
+      ++i;
       continue;
     }
-    changed |= best->entries.back() != slots.entries[i] ||
-               std::abs(best->variances.back() / slots.variances[i] - 1.0) > same;
+    changed = true;
+    whole.clear();
+    if (!best) {
+      slots = std::move(others);
+      continue;
+    }
     slots.entries[i] = best->entries.back();
     slots.variances[i] = best->variances.back();
     ++i;
@@ -108,7 +117,7 @@ void SlotSearch::settle(Slots& slots, int region) const {
 /// act everywhere wait until all regions are settled.
 Slots SlotSearch::grown(Slots slots, int region) const {
   while (slots.entries.size() < most_) {
-    std::optional<Slots> more = with_best(slots, region);
+    std::optional<Slots> more = with_best(slots, model_.fit(slots, region));
     if (!more) break;
     settle(*more, model_.region_of(more->entries.back()));
     const bool larger = more->entries.size() > slots.entries.size();
@@ -151,13 +160,14 @@ Slots SlotSearch::find() const {
 /// each, too.
 std::vector<Slots> SlotSearch::other_starts(const Slots& found, int region) const {
   std::vector<Slots> starts;
+  const SlotModel::Fit whole = model_.fit(found, region);
   for (std::size_t i = 0; i < found.entries.size(); ++i) {
     if (model_.region_of(found.entries[i]) != region) continue;
     const Slots others = without(found, i);
-    const SlotModel::Fit f = model_.fit(others, region);
+    const SlotModel::Fit f = model_.fit_without(whole, found, i);
     const bool hides = !model_.hypothesis_of(found.entries[i]).named;
     std::size_t tried = 0, names = 0;
-    const std::vector<Rival> list = rivals(found, i);
+    const std::vector<Rival> list = rivals(others, f);
     for (const Rival& rival : list) {
       // Of two that together say what one says, one says half of it.
       if (rival.log_odds <= 0.5 * list.front().log_odds) break;
@@ -216,7 +226,10 @@ std::vector<Rival> SlotSearch::ranked(const std::vector<double>& odds) const {
 
 std::vector<Rival> SlotSearch::rivals(const Slots& slots, std::size_t slot) const {
   const Slots others = without(slots, slot);
-  const SlotModel::Fit f = model_.fit(others, model_.region_of(slots.entries[slot]));
+  return rivals(others, model_.fit(others, model_.region_of(slots.entries[slot])));
+}
+
+std::vector<Rival> SlotSearch::rivals(const Slots& others, const SlotModel::Fit& f) const {
   std::vector<double> odds = model_.log_odds(others, f, names_alone_);
   inner_loop(odds.size(), [&](std::size_t i) {
     const auto e = static_cast<int>(i);

@@ -56,7 +56,8 @@ class SlotSearch {
 
  private:
   Slots sized(const Slots& given, const SlotModel::Fit& f, int entry) const;
-  std::optional<Slots> with_best(const Slots& given, int region) const;
+  std::optional<Slots> with_best(const Slots& given, const SlotModel::Fit& f) const;
+  std::vector<Rival> rivals(const Slots& others, const SlotModel::Fit& f) const;
   std::vector<Rival> ranked(const std::vector<double>& odds) const;
   bool polish(Slots& slots, int region) const;
   void settle(Slots& slots, int region) const;
