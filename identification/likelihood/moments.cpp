@@ -64,12 +64,33 @@ std::vector<Index> lay_out(const ColumnSums& sums, const Hypotheses& all, Moment
   return at;
 }
 
+/// Channels x columns, above zero where a column's hypothesis acts: its columns are looked at
+/// together, so that all of them have one region, though one of a body's acts on fewer joints.
+MatrixXd acting_together(const MatrixXd& energy, const Moments& m, const Hypotheses& all) {
+  MatrixXd of_hypothesis = MatrixXd::Zero(energy.rows(), static_cast<Index>(all.list.size()));
+  const auto each = [&](auto use) {
+    for (std::size_t s = 0; s < all.shapes.size(); ++s) {
+      const Moments::Range& range = m.of_shape[s];
+      if (range.count > 0) use(range, static_cast<Index>(all.shapes[s].hypothesis));
+    }
+  };
+  each([&](const Moments::Range& range, Index h) {
+    of_hypothesis.col(h) += energy.middleCols(range.first, range.count).rowwise().sum();
+  });
+  MatrixXd acts(energy.rows(), energy.cols());
+  each([&](const Moments::Range& range, Index h) {
+    acts.middleCols(range.first, range.count) = of_hypothesis.col(h).replicate(1, range.count);
+  });
+  return acts;
+}
+
 /// Regions of the columns `at`: channels that share their noise are one, and those on which one
 /// column of the free part acts, since all that it meets meets when it is taken out.
-Regions regions_of(const ColumnSums& sums, const std::vector<Index>& at) {
+Regions regions_of(const ColumnSums& sums, const std::vector<Index>& at, const Moments& m,
+                   const Hypotheses& all) {
   std::vector<Index> own;
   for (const Index column : at) own.push_back(column - sums.free);
-  const MatrixXd acts = sums.energy(Eigen::all, own);
+  const MatrixXd acts = acting_together(sums.energy(Eigen::all, own), m, all);
   std::vector<std::vector<int>> joined = sums.joined;
   for (Index f = 0; f < sums.free; ++f) {
     VectorXd met = VectorXd::Zero(acts.rows());
@@ -85,9 +106,9 @@ Regions regions_of(const ColumnSums& sums, const std::vector<Index>& at) {
 }
 
 /// Scaled products of the columns `at` with the model's free part taken out.
-RegionProducts products_of(const ColumnSums& sums, const std::vector<Index>& at,
+RegionProducts products_of(const ColumnSums& sums, const std::vector<Index>& at, Regions regions,
                            const MatrixXd& cross, const MatrixXd& solved, const VectorXd& scale) {
-  RegionProducts gram{regions_of(sums, at)};
+  RegionProducts gram{std::move(regions)};
   for (std::size_t c = 0; c < at.size(); ++c)
     for (std::size_t r = c; r < at.size(); ++r) {
       const auto row = static_cast<Index>(r), column = static_cast<Index>(c);
@@ -110,14 +131,15 @@ double log_volume(const MatrixXd& gram) {
 }
 
 /// The model's free part taken out of everything.
-void project_out_free(const ColumnSums& sums, const std::vector<Index>& at, Moments& m) {
+void project_out_free(const ColumnSums& sums, const std::vector<Index>& at, const Hypotheses& all,
+                      Moments& m) {
   std::vector<Index> free(static_cast<std::size_t>(sums.free));
   std::iota(free.begin(), free.end(), Index{0});
   const VectorXd base_target = sums.target.head(sums.free);
   const MatrixXd cross = m.scale.asDiagonal() * sums.gram(at, free);
   const MatrixXd inverse = scaled_pseudo_inverse(sums.gram(free, free));
   const MatrixXd solved = cross * inverse;
-  m.gram = products_of(sums, at, cross, solved, m.scale);
+  m.gram = products_of(sums, at, regions_of(sums, at, m, all), cross, solved, m.scale);
   m.target -= solved * base_target;
   m.deviance -= base_target.dot(inverse * base_target);
   m.rows -= static_cast<double>(sums.free);
@@ -155,7 +177,7 @@ Moments moments_of(const ColumnSums& sums, const Hypotheses& all) {
   m.target = m.scale.cwiseProduct(VectorXd(sums.target(at)));
   m.deviance = sums.deviance;
   m.rows = sums.rows;
-  project_out_free(sums, at, m);
+  project_out_free(sums, at, all, m);
   return m;
 }
 
