@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is made from another fit is the fit that would be made from nothing.
+#include "identification/likelihood/slot_model.h"
+
+#include <catch2/catch.hpp>
+
+#include "identification/likelihood/slot_forms.h"
+
+namespace {
+
+using namespace sinew::diagnosis;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Six hypotheses, the first of three columns, the second of three shapes, with random products.
+struct Random {
+  Random() : sources(6) {
+    const std::vector<std::vector<int>> shapes{{0}, {1, 2, 3}, {4}, {5}, {6}, {7}};
+    for (std::size_t h = 0; h < sources.size(); ++h) {
+      sources[h].name = "cause " + std::to_string(h);
+      sources[h].place = "joint";
+      sources[h].linear.resize(h == 0 ? 3 : 1);
+      Hypothesis one;
+      one.candidate = static_cast<int>(h);
+      one.source = &sources[h];
+      one.log_prior = -2.0;
+      one.shapes = shapes[h];
+      all.list.push_back(one);
+      for (std::size_t s = 0; s < shapes[h].size(); ++s)
+        all.shapes.push_back({static_cast<int>(h), {}, {}, {}});
+    }
+    sources[1].nonlinear = {{"speed", "rad/s", 0.1, 10.0, 3, true}};
+    for (const auto& [shape, at] : {std::pair{1, 0.1}, {2, 1.0}, {3, 10.0}})
+      all.shapes[static_cast<std::size_t>(shape)].nonlinear = VectorXd::Constant(1, at);
+    std::srand(7);
+    const MatrixXd x = 20.0 * MatrixXd::Random(40, 10);
+    const VectorXd y = 20.0 * VectorXd::Random(40);
+    m.of_shape = {{0, 3}, {3, 1}, {4, 1}, {5, 1}, {6, 1}, {7, 1}, {8, 1}, {9, 1}};
+    m.coefficient = {0, 1, 2, 0, 0, 0, 0, 0, 0, 0};
+    m.scale = VectorXd::Ones(10);
+    m.gram = RegionProducts(MatrixXd(x.transpose() * x));
+    m.target = x.transpose() * y;
+    m.deviance = y.squaredNorm();
+    m.rows = 40.0;
+  }
+
+  std::vector<Candidate> sources;
+  Hypotheses all;
+  Moments m;
+};
+
+Slots without(Slots slots, std::size_t at) {
+  slots.entries.erase(slots.entries.begin() + static_cast<std::ptrdiff_t>(at));
+  slots.variances.erase(slots.variances.begin() + static_cast<std::ptrdiff_t>(at));
+  return slots;
+}
+
+}  // namespace
+
+// Seen red with what the slot alone takes not given back, and with its target left as it was.
+TEST_CASE("the fit without a slot follows from the fit with it") {
+  const Random random;
+  const SmallErrors errors(random.m, random.all, 1e-3);
+  const SlotModel model(random.all, errors, std::vector<bool>(6, false));
+  const Slots slots{{0, 1, 5}, {0.04, 0.01, 0.09}, 0.0};
+  const SlotModel::Fit whole = model.fit(slots, Regions::kEverywhere);
+  for (std::size_t slot = 0; slot < 3; ++slot) {
+    CAPTURE(slot);
+    const Slots others = without(slots, slot);
+    const SlotModel::Fit made = model.fit_without(whole, slots, slot);
+    const SlotModel::Fit anew = model.fit(others, Regions::kEverywhere);
+    CHECK(made.columns == anew.columns);
+    CHECK((made.coefficients - anew.coefficients).norm() < 1e-10 * anew.coefficients.norm());
+    CHECK((made.inverse - anew.inverse).norm() < 1e-10 * anew.inverse.norm());
+    CHECK((made.target - anew.target).norm() < 1e-10 * random.m.target.norm());
+    const std::vector<double> odds = model.log_odds(others, made, false);
+    const std::vector<double> wanted = model.log_odds(others, anew, false);
+    for (std::size_t e = 0; e < odds.size(); ++e) {
+      CHECK((odds[e] == kNoOdds) == (wanted[e] == kNoOdds));
+      if (wanted[e] != kNoOdds) CHECK(odds[e] == Approx(wanted[e]).margin(1e-8));
+      const double variance = model.factor(static_cast<int>(e), anew).variance;
+      CHECK(model.stays_possible(others, made, static_cast<int>(e), variance) ==
+            model.stays_possible(others, anew, static_cast<int>(e), variance));
+    }
+  }
+}
+
+// Seen red with the first shape of the hypothesis in place of the nearest one.
+TEST_CASE("a form of another search is the nearest shape here, and none where there is none") {
+  const Random random;
+  const SmallErrors errors(random.m, random.all, 1e-3);
+  const SlotSearch search(random.all, errors, 8, {false, false, true, false, false, false});
+  const VectorXd none, near = VectorXd::Constant(1, 4.0);
+  const Slots slots = slots_of_forms(random.all, search,
+                                     {{9, "cause 1", "joint", near, 0.02},
+                                      {2, "cause 2", "joint", none, 0.02},
+                                      {3, "cause 3", "another joint", none, 0.02},
+                                      {4, "cause 4", "joint", none, 0.03}});
+  REQUIRE(slots.entries.size() == 2);
+  const Entry& first = search.entries()[static_cast<std::size_t>(slots.entries[0])];
+  CHECK(first.hypothesis == 1);
+  CHECK(first.shapes == std::vector<int>{3});
+  CHECK(search.entries()[static_cast<std::size_t>(slots.entries[1])].hypothesis == 4);
+  CHECK(slots.variances == std::vector<double>{0.02, 0.03});
+}
