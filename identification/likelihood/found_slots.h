@@ -10,9 +10,6 @@
 
 namespace sinew::diagnosis {
 
-/// The least share by which everything may be off.
-inline constexpr double kLeastShare = 1e-4;
-
 /// What was found, and all that it rests on.
 struct FoundSlots {
   Hypotheses all;  ///< with one more shape for each that was fitted
@@ -21,9 +18,9 @@ struct FoundSlots {
   std::unique_ptr<SmallErrors> errors;  ///< points to `moments`
   std::unique_ptr<SlotSearch> search;   ///< points to all of these
   Slots slots;
-  Model model;                        ///< the base's terms, then one term a slot, in their order
-  double small_errors = kLeastShare;  ///< share by which everything is off
-  double evidence = 0.0;  ///< log of the logs' probability and the slots' odds, to be compared
+  Model model;                ///< the base's terms, then one term a slot, in their order
+  double small_errors = 0.0;  ///< share by which everything is off
+  double evidence = 0.0;      ///< log of the logs' probability and the slots' odds, to be compared
   std::vector<SlotForm> forms;  ///< what the next search begins from; empty: nothing
 };
 

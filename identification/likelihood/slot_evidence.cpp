@@ -14,7 +14,7 @@ namespace {
 
 // Shares by which everything may be off. Four decades are all between a simulator and a rough
 // model.
-constexpr double kShares[] = {kLeastShare, 3.2e-4, 1e-3, 3.2e-3, 1e-2};
+constexpr double kShares[] = {1e-4, 3.2e-4, 1e-3, 3.2e-3, 1e-2};
 
 /// log probability of the logs and odds of the slots under one noise and one share of small errors,
 /// up to what all of them have in common.
@@ -64,8 +64,9 @@ struct Grower {
   }
 };
 
+/// Of 0, which stands for none found yet, the least one.
 int place_of_share(double share) {
-  return static_cast<int>(std::find(std::begin(kShares), std::end(kShares), share) -
+  return static_cast<int>(std::lower_bound(std::begin(kShares), std::end(kShares), share) -
                           std::begin(kShares));
 }
 

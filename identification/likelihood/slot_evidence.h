@@ -10,8 +10,8 @@ namespace sinew::diagnosis {
 
 /// Searches the moments of `found` at every share of small errors, or from its forms at the share
 /// they were found at and those beside it that are more probable, and keeps the most probable: its
-/// search, slots, share and evidence. `most`: slots at most; `banned`: of every
-/// hypothesis, whether it is left out.
+/// search, slots, share and evidence. `most`: slots at most; `banned`: of every hypothesis, whether
+/// it is left out.
 void grow_slots(int most, const std::vector<bool>& banned, FoundSlots& found);
 
 /// Then from the slots' rivals, and with names alone where they explain as much but for what their

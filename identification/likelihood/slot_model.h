@@ -25,9 +25,6 @@ struct Slots {
 /// Log odds of what is not to be taken.
 inline constexpr double kNoOdds = -std::numeric_limits<double>::infinity();
 
-/// How improbable the improbable is nobody asks.
-inline constexpr double kNegligibleOdds = -20.0;
-
 class SlotModel {
  public:
   /// The model with some entries.
@@ -63,11 +60,11 @@ class SlotModel {
   /// The fit of all slots but one from that of all of them: far less work than from nothing.
   Fit fit_without(const Fit& whole, const Slots& slots, std::size_t slot) const;
   /// Of an entry on top of a model that is fitted in a region which has its columns.
-  BayesFactor factor(int entry, const Fit& given, double least = kNegligibleOdds) const;
+  BayesFactor factor(int entry, const Fit& given, double least = kNoOdds) const;
   /// Of every entry whose columns the fit's region has, kNoOdds for the others and for other forms
   /// of what the slots hold. Those below `least` are bounds.
   std::vector<double> log_odds(const Slots& given, const Fit& f, bool names_alone,
-                               double least = kNegligibleOdds) const;
+                               double least = kNoOdds) const;
   /// Whether all coefficients are within their limits.
   bool is_possible(const Slots& slots) const;
   /// The same with one more entry of that prior variance, from the fit without it.
