@@ -6,16 +6,25 @@
 #include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
+namespace {
+
+void append_nuisances(const Design& design, bool flexible, Model& model) {
+  for (const Candidate& c : design.problem().library)
+    if (c.nuisance && c.nonlinear.empty() && (c.kind == CandidateKind::flexible) == flexible)
+      model.terms.push_back(make_term(design, c, {}, false));
+}
+
+}  // namespace
 
 Model fitted_baseline(const Design& design) {
   Model model = baseline_model(design);
-  for (const Candidate& candidate : design.problem().library)
-    if (candidate.nuisance && candidate.nonlinear.empty())
-      model.terms.push_back(make_term(design, candidate, {}, false));
+  append_nuisances(design, false, model);
   Weights weights = own_noise(design, model).weights;
   refine(design, weights, RefineScope::all_terms, model);
   weights = own_noise(design, model).weights;
   settle_nuisances(design, weights, model);
+  // Free curves follow friction whatever its own shape is, and would leave that to chance.
+  append_nuisances(design, true, model);
   return model;
 }
 

@@ -121,7 +121,9 @@ bool ban_impossible(const Design& design, const FoundSlots& found, std::vector<b
   const std::size_t first = found.model.terms.size() - found.slots.entries.size();
   bool any = false;
   for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {
-    if (!violates_limits(design, found.model, fit, first + i)) continue;
+    // The nearest body is taken where the one that was fitted is none (physical_links.h): where
+    // much stands out of the noise, that is a matter of what the columns are off by.
+    if (!is_beyond_limits(design, found.model, fit, first + i)) continue;
     banned[static_cast<std::size_t>(
         found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])].hypothesis)] =
         true;

@@ -7,14 +7,13 @@
 #include "identification/diagnosis/materiality.h"
 #include "identification/likelihood/decision_constants.h"
 #include "identification/likelihood/fitted_shapes.h"
+#include "identification/likelihood/form_errors_of_found.h"
 #include "identification/likelihood/slot_evidence.h"
 #include "identification/regression/refine.h"
-#include "identification/regression/spectrum.h"
 
 namespace sinew::diagnosis {
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 // A shape is fitted where the grid's point was found; the search with it, and with the errors of
@@ -30,49 +29,6 @@ VectorXd immaterial_variance(const Design& design, const Settings& settings, con
 }
 
 namespace {
-
-/// What the found slots say of a segment, in the band; empty where none acts.
-VectorXd found_part(const FoundSlots& found, const LinearFit& fit, std::size_t segment) {
-  const std::vector<Index> first = first_columns(found.model);
-  VectorXd sum;
-  for (std::size_t t = found.model.terms.size() - found.slots.entries.size();
-       t < found.model.terms.size(); ++t) {
-    const Eigen::MatrixXd& columns = found.model.terms[t].columns[segment];
-    // A value of the model's own changes the size of what the model says, not its form.
-    if (columns.cols() == 0 || found.model.terms[t].deviation >= 0) continue;
-    const VectorXd own = columns * fit.coefficients.segment(first[t], columns.cols());
-    sum = sum.size() == 0 ? own : VectorXd(sum + own);
-  }
-  return sum;
-}
-
-/// What the form of the found part is off by, as the variance of every row: near the frequencies
-/// where it is large.
-VectorXd form_error_variance(const VectorXd& found_part) {
-  constexpr Index least = 4;     // bins
-  constexpr double width = 0.3;  // of the frequency
-  const VectorXd energy = bin_energy(found_part);
-  return per_row(0.5 * kFormError * kFormError *
-                 smooth_ratio(energy, VectorXd::Ones(energy.size()), least, width));
-}
-
-/// Rows count for less where what was found is large.
-void add_form_errors(const Whitening& noise_alone, FoundSlots& found) {
-  found.whitening = noise_alone;
-  found.whitening.noise_share.resize(noise_alone.training.size());
-  if (found.slots.entries.empty()) return;
-  const LinearFit fit = solve(stack(found.model, noise_alone.training));
-  for (Weights* weights : {&found.whitening.training, &found.whitening.held_out})
-    for (std::size_t s = 0; s < weights->size(); ++s) {
-      VectorXd& weight = (*weights)[s];
-      const VectorXd part = weight.size() == 0 ? VectorXd() : found_part(found, fit, s);
-      if (part.size() == 0) continue;
-      const VectorXd alone = weight;
-      weight =
-          (alone.array().square().inverse() + form_error_variance(part).array()).rsqrt().matrix();
-      found.whitening.noise_share[s] = weight.cwiseQuotient(alone);
-    }
-}
 
 /// What a search is about, beside what it finds.
 struct Searched {
@@ -118,6 +74,14 @@ void noise_beside(const std::vector<SlotForm>& forms, const Searched& s, FoundSl
   found.forms = forms;
 }
 
+/// The model with all of its own values free.
+Model with_free_values(const Hypotheses& all) {
+  Model model = all.parts.base;
+  for (const Hypothesis& h : all.list)
+    if (h.candidate < 0 && !h.shapes.empty()) model.terms.push_back(term_of(all, h.shapes.front()));
+  return model;
+}
+
 }  // namespace
 
 std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
@@ -150,7 +114,9 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
     if (++round == kRounds || found->slots.entries.empty()) return found;
     // The first round knows nothing of the errors of what it finds.
     if (!add_fitted_shapes(design, *found) && round > 1) return found;
-    add_form_errors(whitening_beside(design, found->model, s.floor), *found);
+    found->whitening =
+        with_form_errors(whitening_beside(design, found->model, s.floor), found->model,
+                         found->all.parts.base.terms.size(), with_free_values(found->all));
     found->moments = moments_of(design, found->all, found->whitening);
   }
 }

@@ -38,6 +38,14 @@ double expected_share(const Hypotheses& all, std::size_t shape, Index coefficien
   return p < h.source->linear.size() ? h.source->linear[p].share : 1.0;
 }
 
+/// The same as a multiple of the first coefficient, in the parameters' units.
+double times_first(const Hypotheses& all, std::size_t shape, Index coefficient) {
+  const Hypothesis& h = all.list[static_cast<std::size_t>(all.shapes[shape].hypothesis)];
+  const auto p = static_cast<std::size_t>(coefficient);
+  return p < h.source->linear.size() ? h.source->linear[p].times_first
+                                     : std::numeric_limits<double>::infinity();
+}
+
 /// Where each shape's columns stand; fills ranges, coefficients and scales. Gives the place of
 /// every column among the sums' columns.
 std::vector<Index> lay_out(const ColumnSums& sums, const Hypotheses& all, Moments& m) {
@@ -48,12 +56,15 @@ std::vector<Index> lay_out(const ColumnSums& sums, const Hypotheses& all, Moment
   Index first = 0;
   for (const Index width : sums.width) {
     m.of_shape.push_back({static_cast<Index>(at.size()), 0});
+    double of_first = std::numeric_limits<double>::infinity();
     for (Index c = 0; c < width; ++c) {
       if (!(energy(first + c) > 0.0)) continue;
       const std::size_t shape = m.of_shape.size() - 1;
-      scales.push_back(std::min(
-          std::sqrt(sums.acting(first + c) / energy(first + c)) * expected_share(all, shape, c),
-          known_spread(all, shape, c) / kLargestSize));
+      double scale = std::sqrt(sums.acting(first + c) / energy(first + c));
+      if (c == 0) of_first = scale;
+      if (std::isfinite(of_first)) scale = std::min(scale, of_first * times_first(all, shape, c));
+      scales.push_back(std::min(scale * expected_share(all, shape, c),
+                                known_spread(all, shape, c) / kLargestSize));
       at.push_back(sums.free + first + c);
       m.coefficient.push_back(static_cast<int>(c));
       ++m.of_shape.back().count;

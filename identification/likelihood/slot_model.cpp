@@ -42,9 +42,12 @@ SlotModel::SlotModel(const Hypotheses& all, const SmallErrors& errors,
     : all_(all), errors_(errors), entries_(make_entries(all, errors, banned)) {
   for (const Entry& e : entries_) regions_.push_back(errors.moments().regions().of(e.columns));
   std::map<std::pair<std::string, std::string>, int> known;
+  // What a link carries and what its drawing has wrong are the same columns: only their sum shows.
   for (const Hypothesis& h : all.list)
     causes_.push_back(
-        known.emplace(std::pair{h.source->name, h.source->place}, static_cast<int>(known.size()))
+        known
+            .emplace(std::pair{h.source->of_body ? "" : h.source->name, h.source->place},
+                     static_cast<int>(known.size()))
             .first->second);
 }
 

@@ -247,10 +247,10 @@ std::vector<Rival> SlotSearch::credible(const Slots& slots, std::size_t slot) co
   while (count < list.size() && sum < kCredible && list[count].log_odds > 0.0)
     sum += list[count++].probability;
   if (sum < kCredible) return {};
-  // What lacks no more than the best one's own form may be off by is not ruled out either. A value
-  // of the model's own has the model's form.
+  // Structure without a name follows whatever form a cause has: a name that lacks no more than its
+  // form may be off by is not ruled out.
   const Hypothesis& best = all_.list[static_cast<std::size_t>(list.front().hypothesis)];
-  const double off = best.candidate >= 0 ? kFormError * kFormError : 0.0;
+  const double off = best.named ? 0.0 : kFormError * kFormError;
   const double as_good = (1.0 - off) * list.front().log_odds;
   while (count < list.size() && list[count].log_odds >= as_good) ++count;
   list.resize(count);
@@ -262,15 +262,27 @@ bool SlotSearch::are_named(const Slots& slots) const {
                      [&](int e) { return model_.hypothesis_of(e).named; });
 }
 
-Slots SlotSearch::with_names(Slots slots) const {
-  const auto is_named = [&](int hypothesis) {
-    return all_.list[static_cast<std::size_t>(hypothesis)].named;
+/// Of the names that the data do not tell apart, a value of the model's own: it adds nothing to the
+/// model.
+std::optional<Rival> SlotSearch::name_of(const std::vector<Rival>& set) const {
+  const auto& list = all_.list;
+  const auto hypothesis = [&](const Rival& r) -> const Hypothesis& {
+    return list[static_cast<std::size_t>(r.hypothesis)];
   };
+  const auto first =
+      std::find_if(set.begin(), set.end(), [&](const Rival& r) { return hypothesis(r).named; });
+  if (first == set.end()) return std::nullopt;
+  const double least = first->log_odds + std::log(1.0 - kCredible);
+  const auto own = std::find_if(first, set.end(), [&](const Rival& r) {
+    return hypothesis(r).candidate < 0 && r.log_odds >= least;
+  });
+  return own != set.end() ? *own : *first;
+}
+
+Slots SlotSearch::with_names(Slots slots) const {
   for (std::size_t i = 0; i < slots.entries.size(); ++i) {
-    const std::vector<Rival> set = credible(slots, i);
-    const auto named = std::find_if(set.begin(), set.end(),
-                                    [&](const Rival& r) { return is_named(r.hypothesis); });
-    if (named == set.end() || named->entry == slots.entries[i]) continue;
+    const std::optional<Rival> named = name_of(credible(slots, i));
+    if (!named || named->entry == slots.entries[i]) continue;
     const SlotModel::Fit f = model_.fit(without(slots, i), model_.region_of(slots.entries[i]));
     slots.variances[i] = model_.factor(named->entry, f).variance;
     slots.entries[i] = named->entry;

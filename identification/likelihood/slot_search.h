@@ -59,6 +59,7 @@ class SlotSearch {
   std::optional<Slots> with_best(const Slots& given, const SlotModel::Fit& f) const;
   std::vector<Rival> rivals(const Slots& others, const SlotModel::Fit& f) const;
   std::vector<Rival> ranked(const std::vector<double>& odds) const;
+  std::optional<Rival> name_of(const std::vector<Rival>& set) const;
   bool polish(Slots& slots, int region) const;
   void settle(Slots& slots, int region) const;
   Slots own_values() const;

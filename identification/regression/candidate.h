@@ -78,6 +78,8 @@ struct LinearParameter {
   double spread = 0.0;
   bool per_stretch = false;  ///< where per_log: one for each stretch that is read of a log
   double share = 1.0;        ///< how large it is expected to be beside the candidate's first one
+  /// The same in the parameters' units: at most so many times the first one.
+  double times_first = std::numeric_limits<double>::infinity();
 };
 
 enum class CandidateKind {
@@ -110,11 +112,11 @@ struct Candidate {
   /// refine() makes the coefficient itself; without nonlinear parameters, the tangent.
   bool secant = false;
   bool value = false;  ///< changes a value that the model has, where no deviation can stand for it
-  bool unlikely = false;   ///< named only where no other cause explains as much
-  bool told_only = false;  ///< no model has a place for it: it is told, and nothing is adopted
-  bool of_body =
-      false;  ///< parameters of a body: their columns are exact, unlike a friction law\'s
-  std::string contains;  ///< deviation at the same place that is a part of it; may be empty
+  bool unlikely = false;        ///< named only where no other cause explains as much
+  bool told_only = false;       ///< no model has a place for it: it is told, and nothing is adopted
+  bool of_body = false;         ///< parameters of a body
+  bool has_model_form = false;  ///< its columns are the mechanism's own, unlike a friction law's
+  std::string contains;         ///< deviation at the same place that is a part of it; may be empty
   /// Its columns in a form that nature may have as well; empty: none is known (form_errors.h).
   ColumnFunction other_form;
   bool sized_twice = false;  ///< its one coefficient and its first nonlinear parameter are one size

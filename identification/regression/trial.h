@@ -46,8 +46,12 @@ int library_index(const Design& design, const Term& term);
 /// Price of all causes of a model; freedom: effective parameters per candidate.
 double model_price(const Design& design, const std::vector<double>& freedom, const Model& model);
 
-/// True where a linear coefficient lies beyond its limit by more than two standard errors, or a
-/// delay stands at a bound, or no body has the parameters of one.
+/// True where a linear coefficient lies beyond its limit by more than two standard errors, a delay
+/// stands at a bound, or the effect has no such coefficients.
+bool is_beyond_limits(const Design& design, const Model& model, const LinearFit& fit,
+                      std::size_t term);
+
+/// The same, or no body has the parameters of one.
 bool violates_limits(const Design& design, const Model& model, const LinearFit& fit,
                      std::size_t term);
 

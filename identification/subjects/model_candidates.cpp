@@ -219,6 +219,7 @@ Candidate sensor_offset_candidate(const EffectPlace& place, const EffortModel& e
                           {"zero_offset", place.revolute ? "rad" : "m", -most, most, false, {}});
   c.channels = coupled;
   c.secant = true;
+  c.has_model_form = true;
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd& size) -> MatrixXd {
     if (size.size() > 0) return secant(effort, log, axis, channel, unit_less(log), size(0));
@@ -233,6 +234,7 @@ Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& ef
   Candidate c = of_effect("sensor_scale", place, {"scale_error", "1", -0.5, 0.5, false, {}});
   c.channels = coupled;
   c.secant = true;
+  c.has_model_form = true;
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd& size) -> MatrixXd {
     if (size.size() > 0) return secant(effort, log, axis, channel, less_of(log, axis), size(0));

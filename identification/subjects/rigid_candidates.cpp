@@ -53,6 +53,12 @@ void expect(double mass, double radius, std::vector<LinearParameter>& parameters
                                                               : radius * radius);
 }
 
+/// What a body of unknown mass has its moments of: as much mass about `radius` [m] from the origin.
+void expect_about(double radius, std::vector<LinearParameter>& parameters) {
+  for (std::size_t k = 1; k < parameters.size(); ++k)
+    parameters[k].times_first = k < kMassAndFirstMoments ? radius : radius * radius;
+}
+
 /// How far from its frame's origin a body's mass is, as a root of the mean square.
 double radius_of(const Body& body) {
   return std::sqrt(body.centre_of_mass.squaredNorm() + 0.5 * body.inertia.trace() / body.mass);
@@ -180,6 +186,7 @@ void RigidColumns::add_payload(const Mechanism& mechanism, std::size_t body) {
   group.signal = "payload of " + carrier.name;
   describe("payload", group);
   group.body_within = reach_of(mechanism);
+  if (carrier.mass > 0.0) expect_about(radius_of(carrier), group.parameters);
   groups_.push_back(std::move(group));
 }
 
@@ -419,6 +426,7 @@ std::vector<RigidColumns::OfMechanism> RigidColumns::candidates() const {
     c.unlikely = group.unlikely;
     c.body_within = group.body_within;
     c.of_body = group.effect != "gravity";
+    c.has_model_form = true;
     const auto wide = static_cast<Index>(group.columns.size());
     c.columns = [signal = group.signal, wide, n = coordinates_](const Recording& log, int channel,
                                                                 const VectorXd&) -> MatrixXd {
