@@ -40,6 +40,7 @@ std::vector<VectorXd> said_by_laws(const Model& model, const VectorXd& coefficie
   return sum;
 }
 
+/// What is said that the free model cannot say, its coefficients fitted to it under the weights.
 std::vector<VectorXd> beyond(Model free, std::vector<VectorXd> said, const Weights& weights) {
   for (std::size_t s = 0; s < said.size(); ++s)
     free.target[s] =

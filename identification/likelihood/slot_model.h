@@ -97,7 +97,7 @@ class SlotModel {
   const SmallErrors& errors_;
   std::vector<Entry> entries_;
   std::vector<int> regions_;  ///< of every entry
-  std::vector<int> causes_;   ///< of every hypothesis: one number for all forms of one
+  std::vector<int> causes_;   ///< of every hypothesis: one number for all forms of a cause
   mutable std::shared_mutex guard_;
   /// By region and entry.
   mutable std::map<std::pair<int, int>, std::unique_ptr<Eigen::MatrixXd>> products_;

@@ -53,7 +53,8 @@ void expect(double mass, double radius, std::vector<LinearParameter>& parameters
                                                               : radius * radius);
 }
 
-/// What a body of unknown mass has its moments of: as much mass about `radius` [m] from the origin.
+/// A body's mass is unknown; its moments are those of as much mass about `radius` [m] from the
+/// origin.
 void expect_about(double radius, std::vector<LinearParameter>& parameters) {
   for (std::size_t k = 1; k < parameters.size(); ++k)
     parameters[k].times_first = k < kMassAndFirstMoments ? radius : radius * radius;
