@@ -45,7 +45,7 @@ struct DiagnoseOptions {
   std::vector<std::string> sums, sums_holdout, reference;
   double band = 0.0, material = diagnosis::Settings{}.material_share;
   unsigned seed = 1;
-  bool dry_run = false, json = false, quick = false, by_likelihood = false;
+  bool dry_run = false, json = false, quick = false;
 };
 
 /// One line that is written over, on a terminal only.
@@ -80,7 +80,6 @@ void set_common(const DiagnoseOptions& o, const ModelFolder& folder, Request& re
   request.settings.first_look = o.quick;
   request.settings.seed = o.seed;
   request.settings.material_share = o.material;
-  request.settings.by_likelihood = o.by_likelihood;
 }
 
 DiagnoseRequest request_for(const DiagnoseOptions& o, const ModelFolder& folder) {
@@ -202,7 +201,6 @@ int run(DiagnoseOptions o) {
 DiagnoseOptions with_reference(DiagnoseOptions o) {
   o.holdout = o.logs;
   if (!o.reference.empty()) o.logs = o.reference;
-  o.by_likelihood = true;
   return o;
 }
 
@@ -276,9 +274,7 @@ void add_diagnose_command(CLI::App& app, int& exit_status) {
       ->add_option("--material", o->material,
                    "Share of a channel's rms: errors below are not told (0.001)")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--seed", o->seed, "Of the surrogates and intervals");
-  command->add_flag("--likelihood", o->by_likelihood,
-                    "Decide by one likelihood: being measured against the rules");
+  command->add_option("--seed", o->seed, "Of the intervals");
   command->add_option("--runtime", o->runtime, "Folder of the runtime's headers");
   command->add_flag("--quick", o->quick,
                     "A first look at a part of the samples, up to 25 Hz: adopts nothing");

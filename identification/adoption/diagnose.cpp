@@ -8,7 +8,6 @@
 #include <chrono>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "identification/adoption/adopted_fit.h"
 #include "identification/adoption/cause_terms.h"
@@ -30,7 +29,6 @@
 #include "identification/report/log_record.h"
 #include "identification/report/verdict_text.h"
 #include "identification/report/wording.h"
-#include "symbolic/effects/effects.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -98,7 +96,6 @@ class Run {
       look_at_standstills(explanation);
     }
     merge_members(explanation.verdict);
-    if (!request_.settings.by_likelihood) remove_nuisances(explanation.verdict);
     if (!request_.holdout.empty()) confirm_on_held_out(explanation.verdict);
     propose_experiments(
         subject_.problem(), request_.settings,
@@ -263,41 +260,6 @@ class Run {
     if (!compensation_function(subject_.model(), result_.extended).outputs.empty())
       names.push_back("compensation");
     return names;
-  }
-
-  /// Every encoder has steps and every sensor noise, which the acceleration makes large. Steps are
-  /// a cause where they are no finer than a good encoder's and make a good part of what all other
-  /// causes leave over; noise is none. What
-  /// it leaves of itself passes for effects of fast motion at its place: they have to be larger.
-  void remove_nuisances(Verdict& verdict) const {
-    constexpr double good_part = 0.2, fast_part = 0.08;
-    const auto is_noise = [&](const NamedCause& cause) {
-      const std::string origin = effect_of(subject_, cause);
-      return origin == "sensor_noise" || origin == "sensor_quantisation";
-    };
-    const auto is_always_there = [&](const NamedCause& cause) {
-      return cause.candidate >= 0 &&
-             subject_.problem().library[static_cast<std::size_t>(cause.candidate)].nuisance;
-    };
-    const auto is_fast = [&](const NamedCause& cause) {
-      const std::string& name = cause.members.front().name;
-      return name == find_effect("gear_elasticity").name ||
-             name == find_effect("inertial_backlash").name;
-    };
-    std::set<std::string> noisy;
-    for (const NamedCause& cause : verdict.causes)
-      if (is_noise(cause)) noisy.insert(cause.members.front().place);
-    const auto nuisance = [&](const NamedCause& cause) {
-      const double share = cause.cross_validated.share;
-      if (is_noise(cause)) return share < good_part || is_always_there(cause);
-      return is_fast(cause) && share < fast_part && noisy.count(cause.members.front().place) == 1;
-    };
-    for (const NamedCause& cause : verdict.causes)
-      if (nuisance(cause))
-        verdict.ruled_out.push_back({cause.members.front().name, cause.members.front().place,
-                                     "no more than the position's noise, as in every measurement",
-                                     cause.statistic, cause.p_family});
-    std::erase_if(verdict.causes, nuisance);
   }
 
   const DiagnoseRequest& request_;

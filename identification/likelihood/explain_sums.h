@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From sums to a verdict: the search of explain_by_likelihood(), on moments that no log is left of.
+// From sums to a verdict: the search of explain(), on moments that no log is left of.
 #pragma once
 
 #include <memory>

@@ -9,6 +9,9 @@
 
 namespace sinew::diagnosis {
 
+/// What a slot holds.
+const Hypothesis& hypothesis_of(const FoundSlots& found, std::size_t slot);
+
 /// Of every slot the named members of its credible set, most probable first; without members where
 /// no name is among them. Parameters and gains are left open.
 std::vector<NamedCause> name_slots(const FoundSlots& found);

@@ -210,8 +210,7 @@ struct Settings {
   /// A part of the samples at a lower rate, no planned motions: an answer in seconds. Nothing is
   /// adopted.
   bool first_look = false;
-  bool every_sample = false;   ///< standstills and what is disturbed count as the rest does
-  bool by_likelihood = false;  ///< one likelihood and one search instead of the rules
+  bool every_sample = false;  ///< standstills and what is disturbed count as the rest does
 };
 
 }  // namespace sinew::diagnosis

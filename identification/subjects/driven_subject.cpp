@@ -301,7 +301,7 @@ void DrivenSubject::prepare(const Settings& settings) {
   add_mechanism_candidates();
   for (std::size_t j = 0; j < bristle_.size(); ++j) {
     add_library(j);
-    if (settings.by_likelihood) add_turning(j);
+    add_turning(j);
     if (!tendon_driven(j)) add_ripples(j);
     add_model_candidates(j);
     add_deviations(j);

@@ -36,7 +36,7 @@ diagnosis::Diagnosis whole_diagnosis(const Mechanism& nominal, const std::string
 }
 
 diagnosis::Diagnosis diagnosis_of(const Mechanism& nominal, const std::vector<LogText>& logs,
-                                  const std::vector<std::string>& conditions, bool by_likelihood) {
+                                  const std::vector<std::string>& conditions) {
   const reference::TemporaryFolder folder;
   diagnosis::DiagnoseRequest request;
   request.model = driven_model(nominal);
@@ -53,7 +53,6 @@ diagnosis::Diagnosis diagnosis_of(const Mechanism& nominal, const std::vector<Lo
   };
   request.settings.edge_s = diagnosis::driven_edge;
   request.settings.band_hz = diagnosis::driven_band;
-  request.settings.by_likelihood = by_likelihood;
   return diagnosis::diagnose(request);
 }
 

@@ -26,8 +26,7 @@ struct LogText {
 
 /// `conditions`: texts of --condition.
 diagnosis::Diagnosis diagnosis_of(const Mechanism& nominal, const std::vector<LogText>& logs,
-                                  const std::vector<std::string>& conditions = {},
-                                  bool by_likelihood = false);
+                                  const std::vector<std::string>& conditions = {});
 diagnosis::Findings diagnosed(const Mechanism& nominal, const std::string& train,
                               const std::string& holdout);
 
