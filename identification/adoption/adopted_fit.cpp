@@ -9,7 +9,6 @@
 #include "identification/diagnosis/standard_errors.h"
 #include "identification/regression/held_bodies.h"
 #include "identification/regression/refine.h"
-#include "identification/regression/trial.h"
 
 namespace sinew::diagnosis {
 namespace {

@@ -65,9 +65,9 @@ void confirm_on_held_out(Verdict& verdict) {
       continue;
     }
     const RankedCause& first = cause.members.front();
-    verdict.ruled_out.push_back({first.name, first.place, "no sure gain on the held-out logs",
-                                 cause.statistic, cause.p_family});
-    if (is_plain(cause.cross_validated, cause.p_family))
+    verdict.ruled_out.push_back(
+        {first.name, first.place, "no sure gain on the held-out logs", cause.log_odds});
+    if (is_plain(cause.cross_validated, cause.log_odds))
       verdict.disagreements.push_back({first.name, first.place, cause.cross_validated, -1, 1.0});
   }
   verdict.causes = std::move(kept);

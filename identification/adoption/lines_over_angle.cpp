@@ -106,16 +106,14 @@ std::vector<NamedCause> lines_beside(const DrivenSubject& subject, const Verdict
     if (!is_material(training, settings) || (!held_out.fits.empty() && cause.held_out.low <= 0.0))
       continue;
     cause.candidate = kNoTerm;
-    cause.statistic = 2.0 * each.line.prominence;
-    cause.p_family = each.line.chance;
+    cause.log_odds = -std::log(std::max(each.line.chance, 1e-300));
     RankedCause member;
     member.candidate = each.candidate;
     member.name = ripple.name;
     member.place = ripple.place;
     member.weight = 1.0;
     cause.members.push_back(std::move(member));
-    cause.confidence =
-        confidence_of({cause.statistic, cause.p_family, cause.cross_validated.share, 0.0});
+    cause.confidence = confidence_of(2.0 * each.line.prominence, each.line.chance);
     cause.parameters = amplitudes(training, each.line.prominence, ripple.linear.front().unit);
     cause.separation.experiment = find_effect("ripple").experiment;
     causes.push_back(std::move(cause));

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "identification/diagnosis/select.h"
+#include "identification/diagnosis/selection.h"
 
 namespace sinew::diagnosis {
 

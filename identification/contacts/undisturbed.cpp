@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "identification/contacts/unlogged_force.h"
-#include "identification/regression/screening.h"
+#include "identification/regression/starting_values.h"
 
 namespace sinew::diagnosis {
 namespace {

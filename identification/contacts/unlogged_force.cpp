@@ -80,7 +80,7 @@ std::vector<RankedCause> members_of(const std::vector<ForceFit>& fits) {
     member.candidate = kNoTerm;
     member.name = name;
     member.place = fit.place->name;
-    member.behind = behind;
+    member.behind = 0.5 * behind;
     member.weight = std::exp(-0.5 * behind);
     members.push_back(member);
   }
@@ -141,8 +141,7 @@ std::optional<NamedCause> find_unlogged_force(const Alternative& alternative, do
   NamedCause cause;
   cause.candidate = kNoTerm;
   cause.members = members_of(fits);
-  cause.statistic = statistic;
-  cause.p_family = std::exp(-0.5 * std::min(cause.statistic, 1e3));
+  cause.log_odds = 0.5 * statistic;
   const std::vector<LeftOver> rest = without_disturbances(disturbances);
   cause.cross_validated = gain_between(by_whole, rest, disturbances.training.moving, false);
   cause.held_out = cause.confirmed =
@@ -150,8 +149,8 @@ std::optional<NamedCause> find_unlogged_force(const Alternative& alternative, do
   if (cause.cross_validated.share < settings.least_share) return std::nullopt;
   const double margin = cause.members.size() < fits.size()
                             ? fits[cause.members.size()].score() - fits.front().score()
-                            : cause.statistic;
-  cause.confidence = confidence_of({margin, cause.p_family, cause.cross_validated.share, 0.0});
+                            : statistic;
+  cause.confidence = confidence_of(margin, std::exp(-cause.log_odds));
   cause.separation.experiment = find_model_effect("unlogged_force")->experiment;
   cause.parameters = peaks_of(fits.front(), disturbances, names);
   return cause;

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "identification/diagnosis/select.h"
+#include "identification/diagnosis/selection.h"
 #include "identification/diagnosis/slot_form.h"
 #include "identification/diagnosis/verdict.h"
 

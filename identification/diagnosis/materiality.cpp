@@ -72,7 +72,7 @@ void remove_immaterial(const Problem& problem, const std::vector<bool>& immateri
     if (says_nothing(cause))
       verdict.ruled_out.push_back({cause.members.front().name, cause.members.front().place,
                                    "all that the model leaves over there is immaterial",
-                                   cause.statistic, cause.p_family});
+                                   cause.log_odds});
   std::erase_if(verdict.causes, says_nothing);
   const int most = verdict.most_excess.channel;
   if (most >= 0 && immaterial[static_cast<std::size_t>(most)]) verdict.most_excess = {};

@@ -7,7 +7,7 @@
 
 #include "identification/regression/baseline.h"
 #include "identification/regression/refine.h"
-#include "identification/regression/screening.h"
+#include "identification/regression/starting_values.h"
 
 namespace sinew::diagnosis {
 namespace {

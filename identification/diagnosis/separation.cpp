@@ -7,10 +7,10 @@
 #include <map>
 #include <optional>
 
-#include "identification/diagnosis/confounding.h"
 #include "identification/diagnosis/deviation_terms.h"
 #include "identification/regression/baseline.h"
 #include "identification/regression/refine.h"
+#include "identification/regression/starting_values.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -20,6 +20,9 @@ using Eigen::VectorXd;
 
 constexpr double kSeparated = 3.0;  // standard errors: less is no proposal
 constexpr double kPlenty = 10.0;    // with as much, the shorter motion is the better one
+// Share of the first one's own part by which another may be behind and still be the right one: no
+// model is perfect.
+constexpr double kByImperfection = 0.04;
 
 /// The problem with the planned recording in the logs' place.
 Problem planned_problem(const Problem& problem, Recording recording) {
@@ -197,7 +200,7 @@ bool is_named_alike(const std::vector<RankedCause>& members, std::size_t m) {
 }
 
 /// Names of the members that are told from the first one, and by how much at least.
-/// `known`: the first one's statistic in these logs, which count again beside the planned one.
+/// `known`: what the first one explains of these logs, which count again beside the planned one.
 Separation judged(const PlannedFit& fit, const PlannedMotion& motion, double known,
                   const std::vector<RankedCause>& members) {
   const double enough = std::max(kSeparated * kSeparated, kByImperfection * (known + fit.made()));
@@ -252,7 +255,7 @@ void plan_motions(const Design& design, const Settings& settings, const Experime
       for (const OpenSet& set : sets) {
         const PlannedFit fit(design, explanation.selection, set, planned);
         NamedCause& cause = *set.cause;
-        Separation now = judged(fit, each.motion, cause.statistic, cause.members);
+        Separation now = judged(fit, each.motion, 2.0 * cause.log_odds, cause.members);
         if (is_better(now, cause.separation)) cause.separation = std::move(now);
       }
     }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "identification/diagnosis/verdict.h"
-#include "identification/regression/trial.h"
+#include "identification/regression/noise_model.h"
 
 namespace sinew::diagnosis {
 

@@ -26,11 +26,8 @@ struct ParameterEstimate {
 struct RankedCause {
   int candidate = 0;  ///< index into the library; deviation i of the problem is -1 - i
   std::string name, place;
-  double behind = 0.0;  ///< whitened deviance and price above the best: 0 for the best
-  /// Mean paired block difference to the best / its standard error, and the largest canonical
-  /// correlation with the best, baseline taken out. Not a number where nothing is decided by them.
-  double paired_z = 0.0, correlation = 1.0;
-  double weight = 1.0;  ///< share among all rivals, sums to at most 1
+  double behind = 0.0;  ///< log odds below those of the best: 0 for the best
+  double weight = 1.0;  ///< probability among all rivals, sums to at most 1
 };
 
 /// What is proposed for a set that cannot be told apart.
@@ -52,9 +49,7 @@ struct NamedCause {
   int candidate = 0;        ///< of the term that the model takes: one of the members, or kNoTerm
   std::vector<int> also;    ///< of more terms that the same name stands for best
   double confidence = 0.0;  ///< that the truth is among the members: confidence.h
-  double statistic = 0.0;   ///< drop of the whitened deviance
-  double p_family = 1.0;    ///< against surrogates, over the whole library
-  double validated = 0.0;   ///< drop of the whitened loss on left-out blocks
+  double log_odds = 0.0;    ///< of the first member against nothing in its place
   Gain cross_validated;     ///< of the error on left-out blocks, 95 % interval
   Gain held_out;            ///< on held-out logs; share 0 where none were given
   Gain confirmed;           ///< the same of the whitened error, by which a name is kept
@@ -64,29 +59,26 @@ struct NamedCause {
 
 struct RuledOut {
   std::string name, place, reason;
-  double statistic = 0.0;  ///< on top of the final model
-  double p_family = 1.0;
+  double log_odds = 0.0;  ///< on top of the final model, against nothing
 };
 
 /// A dependence that no named cause accounts for.
 struct Dependence {
   std::string on;  ///< "position x direction", "time, periodically, 12.4 Hz", ...
   std::string place;
-  double p_family = 1.0;
-  Gain gain;  ///< cross-validated, of what the named causes leave over
+  double log_odds = 0.0;  ///< of structure of that form against nothing in its place
 };
 
 /// A gain on left-out blocks that is no fluke of the training logs.
-inline bool is_plain(const Gain& gain, double p_family) {
-  constexpr double kShare = 0.2, kByChance = 0.01;
-  return gain.low > kShare && p_family < kByChance;
+inline bool is_plain(const Gain& gain, double log_odds) {
+  constexpr double kShare = 0.2, kOdds = 4.6;  // a hundred to one
+  return gain.low > kShare && log_odds > kOdds;
 }
 
 struct Unexplained {
   bool none_of_the_known = false;      ///< structure of its own, and no name fits it
   std::vector<Dependence> depends_on;  ///< strongest first
-  std::vector<std::string> withdrawn;  ///< names that only stood in for it
-  double named_share = 1.0;            ///< of all structure found, what named causes account for
+  double named_share = 1.0;            ///< of the log odds of all that was found, what names hold
   /// Cross-validated loss with all named causes, share of what the model at its own values leaves;
   /// 1 at most.
   double remaining = 1.0;

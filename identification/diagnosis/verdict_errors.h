@@ -2,7 +2,7 @@
 // Errors of a model before and after its causes, and what they gain.
 #pragma once
 
-#include "identification/diagnosis/select.h"
+#include "identification/diagnosis/selection.h"
 #include "identification/diagnosis/verdict.h"
 
 namespace sinew::diagnosis {

@@ -7,6 +7,7 @@
 #include "identification/diagnosis/verdict_errors.h"
 #include "identification/likelihood/fitted_baseline.h"
 #include "identification/likelihood/found_slots.h"
+#include "identification/likelihood/ruled_out.h"
 #include "identification/likelihood/slot_verdict.h"
 #include "identification/regression/baseline.h"
 #include "identification/regression/refine.h"
@@ -47,7 +48,6 @@ Selection free_selection(const Design& design, const Model& baseline, const Mode
     if (!term.baseline && !term.candidate->nuisance && term.deviation < 0)
       s.model.terms.push_back(term);
   s.noise = own_noise(design, s.model);
-  s.evidence.resize(s.model.terms.size());
   return s;
 }
 
@@ -127,7 +127,6 @@ Explanation explain(const Problem& problem, const Settings& settings, const IsWa
   Selection adopted;
   adopted.model = named_model(design, *found, of_slot);
   adopted.noise = own_noise(design, adopted.model);
-  adopted.evidence.resize(adopted.model.terms.size());
   adopted.made = found->all.parts.made;
   result.selection =
       problem.deviations.empty() ? adopted : free_selection(design, baseline, adopted.model);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "identification/diagnosis/materiality.h"
+#include "identification/likelihood/ruled_out.h"
 #include "identification/likelihood/slot_estimates.h"
 #include "identification/likelihood/slot_evidence.h"
 #include "identification/likelihood/slot_verdict.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/likelihood/fitted_baseline.h"
 
-#include "identification/diagnosis/select.h"
 #include "identification/regression/baseline.h"
+#include "identification/regression/noise_model.h"
 #include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
@@ -20,7 +20,7 @@ Model fitted_baseline(const Design& design) {
   Model model = baseline_model(design);
   append_nuisances(design, false, model);
   Weights weights = own_noise(design, model).weights;
-  refine(design, weights, RefineScope::all_terms, model);
+  refine(design, weights, model);
   weights = own_noise(design, model).weights;
   settle_nuisances(design, weights, model);
   // Free curves follow friction whatever its own shape is, and would leave that to chance.

@@ -2,8 +2,6 @@
 #include "identification/likelihood/slot_verdict.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "identification/diagnosis/confidence.h"
 
@@ -16,8 +14,7 @@ RankedCause ranked(const FoundSlots& found, const Rival& rival, double best) {
   cause.candidate = h.candidate;
   cause.name = h.source->name;
   cause.place = h.source->place;
-  cause.behind = 2.0 * (best - rival.log_odds);
-  cause.paired_z = cause.correlation = std::numeric_limits<double>::quiet_NaN();  // not asked for
+  cause.behind = best - rival.log_odds;
   cause.weight = rival.probability;
   return cause;
 }
@@ -33,10 +30,7 @@ NamedCause name_slot(const FoundSlots& found, std::size_t slot) {
   for (const Rival& rival : set) {
     const Hypothesis& h = found.all.list[static_cast<std::size_t>(rival.hypothesis)];
     if (!h.named) continue;
-    if (cause.members.empty()) {
-      cause.statistic = 2.0 * rival.log_odds;
-      cause.p_family = std::min(1.0, std::exp(-rival.log_odds));
-    }
+    if (cause.members.empty()) cause.log_odds = rival.log_odds;
     named += rival.probability;
     cause.members.push_back(ranked(found, rival, set.front().log_odds));
   }
@@ -68,29 +62,9 @@ void tell_unnamed(const FoundSlots& found, Unexplained& said) {
     }
     said.none_of_the_known = true;
     said.depends_on.push_back({h.source->depends_on.empty() ? h.source->name : h.source->depends_on,
-                               h.source->place,
-                               std::min(1.0, std::exp(-set.front().log_odds)),
-                               {}});
+                               h.source->place, set.front().log_odds});
   }
   said.named_share = all > 0.0 ? named / all : 1.0;
-}
-
-void list_ruled_out(const FoundSlots& found, Verdict& verdict) {
-  for (const Rival& rival : found.search->on_top(found.slots)) {
-    const Hypothesis& h = found.all.list[static_cast<std::size_t>(rival.hypothesis)];
-    const bool told =
-        std::any_of(verdict.causes.begin(), verdict.causes.end(), [&](const NamedCause& c) {
-          return std::any_of(c.members.begin(), c.members.end(),
-                             [&](const RankedCause& m) { return m.candidate == h.candidate; });
-        });
-    if (told || !h.named) continue;
-    verdict.ruled_out.push_back({h.source->name, h.source->place,
-                                 rival.log_odds > 0.0
-                                     ? "outside its physical limits"
-                                     : "nothing beyond noise beside the named causes",
-                                 std::max(0.0, 2.0 * (rival.log_odds - h.log_prior)),
-                                 std::min(1.0, std::exp(-rival.log_odds))});
-  }
 }
 
 std::vector<NamedCause> name_slots(const FoundSlots& found) {

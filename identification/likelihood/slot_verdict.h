@@ -19,7 +19,4 @@ std::vector<NamedCause> name_slots(const FoundSlots& found);
 /// Slots that are sure and hold no name.
 void tell_unnamed(const FoundSlots& found, Unexplained& said);
 
-/// Named hypotheses that no cause of the verdict has as a member, and why.
-void list_ruled_out(const FoundSlots& found, Verdict& verdict);
-
 }  // namespace sinew::diagnosis

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "identification/regression/refine.h"
-#include "identification/regression/trial.h"
+#include "identification/regression/starting_values.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -48,7 +48,7 @@ void bring_within_limits(const Design& design, const Weights& weights, std::size
   const Term own = model.terms[term];
   Model best = model;
   remove_term(design, term, best);
-  refine(design, weights, RefineScope::all_terms, best);
+  refine(design, weights, best);
   double least = deviance(best, weights);
   for (const VectorXd& start : starting_values(*own.candidate)) {
     Model trial = model;
@@ -56,7 +56,7 @@ void bring_within_limits(const Design& design, const Weights& weights, std::size
       if (t.baseline && t.nonlinear.size() > 0 && t.candidate->place == own.candidate->place)
         t = make_term(design, *t.candidate, starting_values(*t.candidate).front(), true);
     trial.terms[term] = make_term(design, *own.candidate, start, true);
-    refine(design, weights, RefineScope::all_terms, trial);
+    refine(design, weights, trial);
     const LinearFit fit = solve(stack(trial, weights));
     if (violates_limits(design, trial, fit, term) || fit.deviance >= least) continue;
     least = fit.deviance;

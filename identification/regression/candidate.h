@@ -102,21 +102,12 @@ struct Candidate {
   std::vector<NonlinearParameter> nonlinear;
   std::vector<LinearParameter> linear;
   ColumnFunction columns;
-  bool broadband = false;  ///< like noise: may lie mostly above the frequencies looked at
-  bool exact = false;      ///< so may this: what the band holds of it is known as well as the rest
-  double least_share = 0.0;  ///< where more than the settings': of the residual, or it is no cause
-  /// Lags of a position only: the effort of its channel for a position error of one s^2 times the
-  /// acceleration. A delay d and a lag d differ by d^2 / 2 of it (lag.h).
-  ColumnFunction bend;
   /// Not proportional to its one coefficient: the columns are a secant to a size of it, which
   /// refine() makes the coefficient itself; without nonlinear parameters, the tangent.
   bool secant = false;
-  bool value = false;  ///< changes a value that the model has, where no deviation can stand for it
   bool unlikely = false;        ///< named only where no other cause explains as much
-  bool told_only = false;       ///< no model has a place for it: it is told, and nothing is adopted
   bool of_body = false;         ///< parameters of a body
   bool has_model_form = false;  ///< its columns are the mechanism's own, unlike a friction law's
-  std::string contains;         ///< deviation at the same place that is a part of it; may be empty
   /// Its columns in a form that nature may have as well; empty: none is known (form_errors.h).
   ColumnFunction other_form;
   bool sized_twice = false;  ///< its one coefficient and its first nonlinear parameter are one size
@@ -194,18 +185,15 @@ std::vector<int> noise_group(const Problem& problem, int channel);
 /// one that was thinned the filtered effort is no effort of its motion.
 inline constexpr const char* effort_of_logged_motion = "effort_of_logged_motion";
 
-/// How the search is done; confidence.h was fitted with the defaults.
+/// How the search is done; its own constants: likelihood/decision_constants.h.
 struct Settings {
-  double band_hz = 0.0;         ///< highest frequency looked at; 0: chosen from the sampling rate
-  double edge_s = 0.0;          ///< left away at both ends of every log
-  double significance = 0.003;  ///< family-wise probability of a false name
-  double least_share = 0.02;    ///< of the residual variance: less is not worth a name
-  double least_of_baseline = 0.01;  ///< the same against what the baseline leaves over
-  double material_share = 0.001;    ///< of a channel's rms: an error below is not worth telling
-  int surrogates = 200;
+  double band_hz = 0.0;           ///< highest frequency looked at; 0: chosen from the sampling rate
+  double edge_s = 0.0;            ///< left away at both ends of every log
+  double significance = 0.003;    ///< probability that as plain a push is chance (contacts/)
+  double least_share = 0.02;      ///< of what is left over: less is not worth a push's name
+  double material_share = 0.001;  ///< of a channel's rms: an error below is not worth telling
   int blocks = 12;
-  int most_causes = 8;      ///< or one a channel, where there are more channels
-  int most_deviations = 6;  ///< the same
+  int most_causes = 8;  ///< or five a channel, where that is more
   unsigned seed = 1;
   /// A part of the samples at a lower rate, no planned motions: an answer in seconds. Nothing is
   /// adopted.

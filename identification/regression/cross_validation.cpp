@@ -126,8 +126,7 @@ SegmentMoments segment_moments(const Design& design, const Model& model, const V
 }
 
 BlockLosses no_losses(const Design& design, int blocks) {
-  return {VectorXd::Zero(blocks), MatrixXd::Zero(blocks, design.problem().channels),
-          VectorXd::Zero(blocks)};
+  return {MatrixXd::Zero(blocks, design.problem().channels), VectorXd::Zero(blocks)};
 }
 
 }  // namespace
@@ -173,7 +172,6 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
     error.head(wide) = -scaled_pseudo_inverse(others.topLeftCorner(wide, wide), 1e-9) *
                        others.topRightCorner(wide, 1);
     error(wide) = 1.0;
-    losses.whitened(b) = error.dot(whitened[static_cast<std::size_t>(b)] * error);
     for (const PlainErrors& part : plain[static_cast<std::size_t>(b)]) part.add_to(losses, error);
   });
   return losses;

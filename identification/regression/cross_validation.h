@@ -8,11 +8,10 @@ namespace sinew::diagnosis {
 
 /// Sums of squared errors per block of what was predicted without that block.
 struct BlockLosses {
-  Eigen::VectorXd whitened;
   Eigen::MatrixXd plain;  ///< blocks x channels, in the squares of Design::unit, inside the band
   Eigen::VectorXd samples;
 
-  /// Plain losses of the blocks over all channels.
+  /// Losses of the blocks over all channels.
   Eigen::VectorXd over_all() const { return plain.rowwise().sum(); }
 };
 
@@ -26,8 +25,8 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
                            int blocks);
 
 /// The same on the held-out logs with the training's coefficients. Per-log nuisances are fitted
-/// on the held-out log's other blocks. Whitened losses stay zero; with `whitening`, of the held-out
-/// segments, the plain ones are of whitened rows.
+/// on the held-out log's other blocks. With `whitening`, of the held-out segments, the losses are
+/// of whitened rows.
 BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks,
                      const Weights* whitening = nullptr);
 

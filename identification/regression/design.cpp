@@ -25,11 +25,6 @@ bool acts_on(const Candidate& candidate, int channel) {
              candidate.channels.end();
 }
 
-/// Mean square with every column's mean taken out.
-double energy_per_sample(const MatrixXd& x) {
-  return (x.rowwise() - x.colwise().mean()).squaredNorm() / static_cast<double>(x.rows());
-}
-
 // Half the work of a frictional drive lies below 40 Hz; more band costs time and adds noise.
 constexpr double kBand = 100.0;
 
@@ -242,8 +237,7 @@ Index Design::width(const Candidate& candidate) const {
 
 /// Empty where the candidate does not act.
 MatrixXd Design::segment_columns(std::size_t i, const Candidate& candidate,
-                                 const VectorXd& nonlinear, int derivative,
-                                 Energies& energies) const {
+                                 const VectorXd& nonlinear, int derivative) const {
   const Segment& s = segments_[i];
   if (!acts_on(candidate, s.channel)) return {};
   const MatrixXd raw = candidate.columns(recording(s.recording), s.channel, nonlinear);
@@ -255,9 +249,6 @@ MatrixXd Design::segment_columns(std::size_t i, const Candidate& candidate,
                                 candidate.name + "' are not finite everywhere");
   const MatrixXd band =
       seen_band(static_cast<int>(i), filtered(static_cast<int>(i), raw, 0.0, derivative));
-  energies.raw += energy_per_sample(raw);
-  energies.power += raw.squaredNorm() / static_cast<double>(raw.rows());
-  energies.band += band.bottomRows(band.rows() - 2).squaredNorm() / windows_[i].squaredNorm();
   const std::vector<Coefficient> layout = coefficients(candidate);
   MatrixXd result = MatrixXd::Zero(band.rows(), static_cast<Index>(layout.size()));
   for (std::size_t c = 0; c < layout.size(); ++c)
@@ -269,31 +260,17 @@ MatrixXd Design::segment_columns(std::size_t i, const Candidate& candidate,
 
 BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinear,
                             int derivative) const {
-  Energies energies;
   BandColumns result(segments_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i)
-    result[i] = segment_columns(i, candidate, nonlinear, derivative, energies);
+    result[i] = segment_columns(i, candidate, nonlinear, derivative);
   return result;
 }
 
 BandColumns Design::columns_at(const std::vector<bool>& segments, const Candidate& candidate,
                                const VectorXd& nonlinear) const {
-  Energies energies;
   BandColumns result(segments_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i)
-    if (segments[i]) result[i] = segment_columns(i, candidate, nonlinear, 0, energies);
-  return result;
-}
-
-BandColumns Design::training_columns(const Candidate& candidate, const VectorXd& nonlinear,
-                                     double& in_band) const {
-  Energies energies;
-  BandColumns result(segments_.size());
-  for (std::size_t i = 0; i < segments_.size(); ++i)
-    if (!segments_[i].holdout) result[i] = segment_columns(i, candidate, nonlinear, 0, energies);
-  // What never changes lies in the band, whatever rounding leaves of its changes.
-  constexpr double rounding = 1e-12;
-  in_band = energies.raw > rounding * energies.power ? energies.band / energies.raw : 1.0;
+    if (segments[i]) result[i] = segment_columns(i, candidate, nonlinear, 0);
   return result;
 }
 

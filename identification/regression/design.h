@@ -30,9 +30,6 @@ struct Segment {
 /// Columns of a group in the band, one matrix for each segment; 0 x 0 where it does not act.
 using BandColumns = std::vector<Eigen::MatrixXd>;
 
-/// The same in single precision, of the training logs and their coefficients alone.
-using LibraryColumns = std::vector<Eigen::MatrixXf>;
-
 /// Columns that no longer change, shared by all models that hold them: a search copies models
 /// often, and the columns of an arm's model are tens of megabytes.
 class SharedColumns {
@@ -117,11 +114,6 @@ class Design {
   /// The same of some segments, those of the others empty.
   BandColumns columns_at(const std::vector<bool>& segments, const Candidate& candidate,
                          const Eigen::VectorXd& nonlinear) const;
-  /// The same of the training logs alone, those of held-out segments empty. in_band: the share of
-  /// the raw columns' energy (means taken out) that is left after the filter.
-  BandColumns training_columns(const Candidate& candidate, const Eigen::VectorXd& nonlinear,
-                               double& in_band) const;
-
   /// Raw columns put through the segment's filter, decimated time domain. They may have the samples
   /// of the log as given or of recording().
   Eigen::MatrixXd filtered(int segment, const Eigen::MatrixXd& raw, double advance = 0.0,
@@ -145,12 +137,8 @@ class Design {
   Eigen::VectorXd at_instants(int segment, const Eigen::VectorXd& raw) const;
 
  private:
-  struct Energies {
-    double raw = 0.0, power = 0.0, band = 0.0;
-  };
   Eigen::MatrixXd segment_columns(std::size_t segment, const Candidate& candidate,
-                                  const Eigen::VectorXd& nonlinear, int derivative,
-                                  Energies& energies) const;
+                                  const Eigen::VectorXd& nonlinear, int derivative) const;
   Eigen::MatrixXd seen_band(int segment, const Eigen::MatrixXd& samples) const;
   void add_segments(const std::vector<Recording>& recordings, int first, bool holdout);
   const Recording& given(int index) const;

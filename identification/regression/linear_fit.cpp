@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "identification/regression/body_limits.h"
 #include "identification/regression/inner_loop.h"
 
 namespace sinew::diagnosis {
@@ -207,6 +208,44 @@ LinearFit solve(const Stack& stack) {
   }
   fit.deviance = fit.residual.squaredNorm() + stack.prior.dot(fit.coefficients.cwiseAbs2());
   return fit;
+}
+
+double deviance(const Model& model, const Weights& weights) {
+  return solve(stack(model, weights)).deviance;
+}
+
+bool violates_limits(const Design& design, const Model& model, const LinearFit& fit,
+                     std::size_t term) {
+  const Term& t = model.terms[term];
+  if (t.candidate->kind == CandidateKind::delay) {
+    const NonlinearParameter& range = t.candidate->nonlinear.front();
+    return t.nonlinear(0) <= range.low || t.nonlinear(0) >= range.high;
+  }
+  const auto layout = design.coefficients(*t.candidate);
+  const Index first = first_columns(model)[term];
+  for (std::size_t c = 0; c < layout.size(); ++c) {
+    const LinearParameter& p = t.candidate->linear[static_cast<std::size_t>(layout[c].parameter)];
+    const Index at = first + static_cast<Index>(c);
+    // The slack forgives a wrong side by chance only.
+    const double slack = 2.0 * std::sqrt(std::max(0.0, fit.covariance(at, at)));
+    const double value = fit.coefficients(at);
+    if (value < p.low - slack || value > p.high + slack) return true;
+  }
+  if (t.candidate->body_within) {
+    const auto n = static_cast<Index>(layout.size());
+    const VectorXd errors = fit.covariance.diagonal().segment(first, n).cwiseMax(0.0).cwiseSqrt();
+    if (!is_body(fit.coefficients.segment(first, n), errors, *t.candidate->body_within))
+      return true;
+  }
+  if (!t.candidate->possible) return false;
+  const auto wide = static_cast<Index>(layout.size());
+  return !t.candidate->possible(fit.coefficients.segment(first, wide), t.nonlinear);
+}
+
+int library_index(const Design& design, const Term& term) {
+  const std::vector<Candidate>& library = design.problem().library;
+  if (term.deviation >= 0) return -1 - term.deviation;
+  return term.baseline || library.empty() ? -1 : static_cast<int>(term.candidate - library.data());
 }
 
 VectorXd predict(const std::vector<const BandColumns*>& columns, const VectorXd& coefficients,

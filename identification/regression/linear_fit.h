@@ -15,7 +15,6 @@ struct Term {
   bool baseline = false;
   Eigen::VectorXd nonlinear;
   SharedColumns columns;  ///< unwhitened
-  double freedom = 0.0;   ///< deviations only: effective number of parameters
   int deviation = -1;     ///< index into the problem's deviations
   /// What was known of its parameters before the logs counts: it competes with values of the model.
   bool with_prior = false;
@@ -78,6 +77,17 @@ Stack stack(const Model& model, const Weights& weights);
 /// Least squares beside the priors; columns that are zero or linearly dependent get the
 /// minimum-norm coefficients.
 LinearFit solve(const Stack& stack);
+
+/// What the best fit of a model leaves.
+double deviance(const Model& model, const Weights& weights);
+
+/// True where a linear coefficient lies beyond its limit by more than two standard errors, or a
+/// delay stands at a bound, or no body has the parameters of one.
+bool violates_limits(const Design& design, const Model& model, const LinearFit& fit,
+                     std::size_t term);
+
+/// Index of a term's candidate in the library, -1 for baseline terms and -1 - i for deviation i.
+int library_index(const Design& design, const Term& term);
 
 /// Symmetric pseudo-inverse after scaling to a unit diagonal; relative eigenvalues below
 /// `tolerance` count as zero.

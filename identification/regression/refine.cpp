@@ -25,10 +25,9 @@ struct Coordinate {
   double from_value(double v) const { return logarithmic ? std::log(v) : v; }
 };
 
-std::vector<Coordinate> coordinates(const Model& model, RefineScope scope) {
+std::vector<Coordinate> coordinates(const Model& model) {
   std::vector<Coordinate> list;
-  const std::size_t first = scope == RefineScope::last_term ? model.terms.size() - 1 : 0;
-  for (std::size_t t = first; t < model.terms.size(); ++t) {
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
     const Candidate& candidate = *model.terms[t].candidate;
     if (candidate.kind == CandidateKind::delay) continue;
     for (std::size_t p = 0; p < candidate.nonlinear.size(); ++p) {
@@ -77,8 +76,8 @@ class ResidualAt {
   mutable ProjectedResidual residual_;  // remembers columns
 };
 
-void fit_nonlinear(const Design& design, const Weights& weights, RefineScope scope, Model& model) {
-  const std::vector<Coordinate> list = coordinates(model, scope);
+void fit_nonlinear(const Design& design, const Weights& weights, Model& model) {
+  const std::vector<Coordinate> list = coordinates(model);
   if (list.empty()) return;
   std::vector<double> u;
   for (const Coordinate& c : list)
@@ -100,7 +99,7 @@ void fit_nonlinear(const Design& design, const Weights& weights, RefineScope sco
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  options.max_num_iterations = scope == RefineScope::last_term ? 8 : 12;
+  options.max_num_iterations = 12;
   options.function_tolerance = 1e-5;
   // Ceres searches along every step where there are bounds; a step that does not help is tried
   // shorter anyhow.
@@ -140,11 +139,9 @@ std::vector<std::size_t> component(const Model& model, std::size_t from) {
   return list;
 }
 
-void fit_by_components(const Design& design, const Weights& weights, RefineScope scope,
-                       Model& model) {
+void fit_by_components(const Design& design, const Weights& weights, Model& model) {
   std::vector<bool> done(model.terms.size(), false);
-  for (std::size_t t = scope == RefineScope::all_terms ? 0 : done.size() - 1; t < done.size();
-       ++t) {
+  for (std::size_t t = 0; t < done.size(); ++t) {
     if (done[t]) continue;
     const std::vector<std::size_t> terms = component(model, t);
     Model part;
@@ -157,7 +154,7 @@ void fit_by_components(const Design& design, const Weights& weights, RefineScope
       for (std::size_t s = 0; s < own.size(); ++s)
         if (model.terms[i].columns[s].cols() > 0) own[s] = weights[s];
     }
-    fit_nonlinear(design, own, scope, part);
+    fit_nonlinear(design, own, part);
     for (std::size_t i = 0; i < terms.size(); ++i) model.terms[terms[i]] = std::move(part.terms[i]);
   }
 }
@@ -210,10 +207,10 @@ double move_secants(const Design& design, const Weights& weights, Model& model) 
 
 }  // namespace
 
-void refine(const Design& design, const Weights& weights, RefineScope scope, Model& model) {
-  const int rounds = scope == RefineScope::last_term ? 1 : 4;
+void refine(const Design& design, const Weights& weights, Model& model) {
+  constexpr int rounds = 4;
   for (int round = 0; round < rounds; ++round) {
-    fit_by_components(design, weights, scope, model);
+    fit_by_components(design, weights, model);
     const double moved = move_secants(design, weights, model);
     if (move_delays(design, weights, model) < 2e-6 && moved == 0.0) break;
   }

@@ -6,13 +6,15 @@
 
 namespace sinew::diagnosis {
 
-/// Which nonlinear parameters move: all terms', those of the last term and of all that act where it
-/// acts, directly or by way of others, or only the last term's (a quick trial).
-enum class RefineScope { all_terms, around_last, last_term };
-
 /// Improves the model in place within the parameters' bounds. The linear coefficients are
 /// eliminated at every evaluation (variable projection), so causes are always re-fitted together.
-void refine(const Design& design, const Weights& weights, RefineScope scope, Model& model);
+void refine(const Design& design, const Weights& weights, Model& model);
+
+/// The former form of it.
+enum class RefineScope { all_terms };
+inline void refine(const Design& design, const Weights& weights, RefineScope, Model& model) {
+  refine(design, weights, model);
+}
 
 /// A term at given nonlinear parameters, with its columns.
 Term make_term(const Design& design, const Candidate& candidate, const Eigen::VectorXd& nonlinear,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "identification/report/numbers.h"
 #include "identification/report/page.h"
 #include "identification/report/sections.h"
@@ -56,24 +54,19 @@ std::string term(const Findings& findings, const CauseTerm& term) {
 }
 
 Table member_table(const NamedCause& cause) {
-  Table table({"Member", "Place", "#Share of the likelihood", "#Deviance above the best",
-               "#Paired z", "#Canonical correlation with the best"},
-              "Paired z: the mean difference to the best over blocks, in its standard errors.");
+  Table table({"Member", "Place", "#Probability", "#Log odds below the best"});
   for (const RankedCause& m : cause.members)
-    table.row({escaped(m.name), escaped(m.place), shown_share(m.weight), shown_number(m.behind),
-               m.behind > 0.0 && std::isfinite(m.paired_z) ? shown_number(m.paired_z, 2) : "–",
-               std::isfinite(m.correlation) ? shown_number(m.correlation) : "–"});
+    table.row({escaped(m.name), escaped(m.place), shown_share(m.weight), shown_number(m.behind)});
   return table;
 }
 
 std::string found(const Findings& findings) {
-  Table table(
-      {"Cause", "Place", "#Drop of the deviance", "#Family-wise p-value", "#Cross-validated gain"},
-      "Deviance: the squared residual weighted by the noise's own spectrum. Both are of "
-      "the cause beside the others, in the training logs.");
+  Table table({"Cause", "Place", "#Log odds", "#Cross-validated gain"},
+              "Log odds: natural logarithm of how much more probable the cause is than nothing in "
+              "its place, prior included. Both are of the cause beside the others, in the training "
+              "logs.");
   for (const NamedCause& c : findings.verdict.causes)
-    table.row({escaped(title_of(c)), escaped(place_of(c)), shown_number(c.statistic),
-               escaped(shown_probability(c.p_family)),
+    table.row({escaped(title_of(c)), escaped(place_of(c)), shown_number(c.log_odds),
                shown_share(c.cross_validated.share) + " <span class=\"soft\">(" +
                    shown_interval(c.cross_validated) + ")</span>"});
   return table.empty() ? "" : "<h3>Found</h3>\n" + table.html();
@@ -90,24 +83,15 @@ std::string sets(const Findings& findings) {
 
 std::string ruled_out(const Verdict& verdict) {
   if (verdict.ruled_out.empty()) return "";
-  Table table({"Cause", "Place", "Why not", "#Drop of the deviance", "#Family-wise p-value"});
+  Table table({"Cause", "Place", "Why not", "#Log odds"});
   for (const RuledOut& r : verdict.ruled_out)
-    table.row({escaped(r.name), escaped(r.place), escaped(r.reason), shown_number(r.statistic),
-               escaped(shown_probability(r.p_family))});
+    table.row({escaped(r.name), escaped(r.place), escaped(r.reason), shown_number(r.log_odds)});
   return "<h3>Ruled out</h3>\n<p>Every cause below was tested as well, beside the named "
          "ones.</p>\n" +
          (verdict.ruled_out.size() > 12 ? folded("All " + std::to_string(verdict.ruled_out.size()) +
                                                      " causes that were ruled out",
                                                  table.html())
                                         : table.html());
-}
-
-std::string withdrawn(const Unexplained& rest) {
-  if (rest.withdrawn.empty()) return "";
-  std::string items;
-  for (const std::string& name : rest.withdrawn) items += "<li>" + escaped(name) + "</li>";
-  return "<p>Named at first and taken back, because it only stood in for this structure:</p><ul>" +
-         items + "</ul>\n";
 }
 
 }  // namespace
@@ -126,19 +110,16 @@ std::string ranking_section(const Findings& findings) {
 std::string unexplained_section(const Findings& findings) {
   const Unexplained& rest = findings.verdict.unexplained;
   std::string text = "<p>" + escaped(leftover_of(findings.verdict)) + "</p>\n";
-  Table table(
-      {"Depends on", "Place", "#Family-wise p-value", "#Cross-validated gain of a free curve"});
+  Table table({"Depends on", "Place", "#Log odds of a free curve"});
   for (const Dependence& d : rest.depends_on)
-    table.row({escaped(dependence_text({d.on, "", 1.0, {}})), escaped(d.place),
-               escaped(shown_probability(d.p_family)),
-               shown_share(d.gain.share) + " <span class=\"soft\">(" + shown_interval(d.gain) +
-                   ")</span>"});
+    table.row(
+        {escaped(dependence_text({d.on, "", 0.0})), escaped(d.place), shown_number(d.log_odds)});
   if (!table.empty()) text += table.html();
-  text += withdrawn(rest);
   if (!findings.verdict.causes.empty() || rest.none_of_the_known)
     text += fmt::format(
-        "<p class=\"soft\">Named causes account for {} of all structure that was found in the "
-        "training logs. The cross-validated loss with them is {} of that of the model as it was, "
+        "<p class=\"soft\">Named causes account for {} of the log odds of all that was found in "
+        "the training logs. The cross-validated loss with them is {} of that of the model as it "
+        "was, "
         "noise included.</p>\n",
         shown_share(rest.named_share), shown_share(rest.remaining));
   return section("unexplained", "What is still unexplained", text);

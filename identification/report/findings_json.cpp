@@ -128,17 +128,13 @@ Json json(const RankedCause& cause) {
           {"place", cause.place},
           {"candidate", cause.candidate},
           {"behind", number(cause.behind)},
-          {"paired_z", number(cause.paired_z)},
-          {"correlation", number(cause.correlation)},
           {"weight", number(cause.weight)}};
 }
 
 Json json(const NamedCause& cause) {
   return {{"members", list(cause.members, [](const auto& x) { return json(x); })},
           {"confidence", number(cause.confidence)},
-          {"statistic", number(cause.statistic)},
-          {"p_family", number(cause.p_family)},
-          {"validated", number(cause.validated)},
+          {"log_odds", number(cause.log_odds)},
           {"cross_validated", json(cause.cross_validated)},
           {"held_out", json(cause.held_out)},
           {"parameters", list(cause.parameters, [](const auto& x) { return json(x); })},
@@ -152,21 +148,18 @@ Json json(const RuledOut& cause) {
   return {{"name", cause.name},
           {"place", cause.place},
           {"reason", cause.reason},
-          {"statistic", number(cause.statistic)},
-          {"p_family", number(cause.p_family)}};
+          {"log_odds", number(cause.log_odds)}};
 }
 
 Json json(const Dependence& dependence) {
   return {{"on", dependence.on},
           {"place", dependence.place},
-          {"p_family", number(dependence.p_family)},
-          {"gain", json(dependence.gain)}};
+          {"log_odds", number(dependence.log_odds)}};
 }
 
 Json json(const Unexplained& unexplained) {
   return {{"none_of_the_known", unexplained.none_of_the_known},
           {"depends_on", list(unexplained.depends_on, [](const auto& x) { return json(x); })},
-          {"withdrawn", unexplained.withdrawn},
           {"named_share", number(unexplained.named_share)},
           {"remaining", number(unexplained.remaining)}};
 }

@@ -11,7 +11,7 @@ namespace sinew::diagnosis {
 
 /// Raised whenever a field is renamed, removed or changes its meaning; added fields do not raise
 /// it.
-inline constexpr int kFindingsSchemaVersion = 2;
+inline constexpr int kFindingsSchemaVersion = 3;
 
 /// What the verdict comes down to: "causes named", "cannot tell" (at least one set of several),
 /// "none of the known causes" or "nothing beyond noise".

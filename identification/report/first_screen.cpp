@@ -160,13 +160,11 @@ std::string leftover_card(const Verdict& verdict) {
       "of the known causes</span>\n<h3>Something real is missing that has no name "
       "here</h3>\n<p>" +
       escaped(leftover_of(verdict)) + "</p>\n";
-  if (!rest.depends_on.empty()) {
-    const Gain& gain = rest.depends_on.front().gain;
+  if (!rest.depends_on.empty())
     text += fmt::format(
-        "<dl class=\"facts\"><div><dt>Cross-validated gain of a free curve over "
-        "it</dt><dd><b>{}</b> <span class=\"soft\">({})</span>{}</dd></div></dl>\n",
-        shown_share(gain.share), shown_interval(gain), interval_bar(gain));
-  }
+        "<dl class=\"facts\"><div><dt>Log odds of a free curve over it, against "
+        "nothing</dt><dd><b>{}</b></dd></div></dl>\n",
+        shown_number(rest.depends_on.front().log_odds));
   return text +
          "<p class=\"small\"><a href=\"#unexplained\">What it depends on</a></p></article>\n";
 }

@@ -157,11 +157,6 @@ std::string shown_interval(const Gain& gain) {
   return low + kSpace + "to" + kSpace + shown_share(gain.high);
 }
 
-std::string shown_probability(double p) {
-  if (!std::isfinite(p)) return kUnknown;
-  return p < 0.001 ? "<" + kSpace + "0.001" : shown_number(p, 2);
-}
-
 std::string shown_confidence(double confidence) {
   if (!std::isfinite(confidence)) return kUnknown;
   if (confidence > 0.99) return ">" + kSpace + "99" + kSpace + "%";

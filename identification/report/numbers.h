@@ -38,9 +38,6 @@ std::string shown_percent(double share);
 /// "66 to 75 %".
 std::string shown_interval(const Gain& gain);
 
-/// A probability that is known to be small: "< 0.001" below that.
-std::string shown_probability(double p);
-
 /// A confidence, never rounded up to certainty: "97 %", "> 99 %".
 std::string shown_confidence(double confidence);
 

@@ -74,12 +74,13 @@ all other causes fitted again. What several causes share is credited to none, so
 up.</p>
 <p><b>Cross-validated gain.</b> The same on blocks of the training logs, each predicted by a fit to the
 others.</p>
-<p><b>Family-wise p-value.</b> The residual of a model is coloured noise, and a test that takes it for white
-always finds something. So the same search runs on surrogates: noise with the same spectrum and nothing
-hidden. The number is how often the best of the whole library does as well there.</p>
+<p><b>Log odds.</b> The residual of a model is coloured noise, so what it leaves over is weighted by the
+noise's own spectrum, small errors of every form included. The number is the natural logarithm of how much more
+probable the logs are with the cause than with nothing in its place, over all sizes and shapes that it may have, and of
+its prior odds: 4.6 are a hundred to one. Below zero, nothing is more probable.</p>
 <p><b>Standard errors</b> are those for coloured noise with all parameters free.</p>
-<p><b>Ruled out.</b> Each cause of the library is tested beside the named ones. It is refused where chance
-does as well, where the cross-validated gain is not positive, or where its sign or size is not physical.</p>
+<p><b>Ruled out.</b> Each cause of the library is tested beside the named ones. It is refused where the
+odds are against it, where it gains nothing sure on held-out logs, or where its sign or size is not physical.</p>
 )";
 
 }  // namespace

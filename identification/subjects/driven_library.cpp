@@ -15,9 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// What fast effects have to explain where all fast motion is noise of the position.
-constexpr double kFastShare = 0.2;
-
 // Lengths over which friction turns, as shares of the motion: from below any encoder's step to what
 // would be a spring's.
 constexpr double kLengthsOfReach[] = {1e-5, 1e-4, 1e-3, 1e-2};
@@ -80,11 +77,6 @@ void DrivenSubject::add(const std::string& effect, std::size_t joint, const std:
                                  fixed.size() ? std::optional(fixed) : std::nullopt);
   if (!name.empty()) c.name = name;
   c.kind = kind;
-  // Impacts are as short as a sample; what they leave in the band is enough.
-  c.broadband = c.name == find_effect("inertial_backlash").name;
-  if ((c.broadband || c.name == find_effect("gear_elasticity").name) &&
-      noise_of_position(training(), static_cast<Index>(joint)))
-    c.least_share = kFastShare;
   if (find_effect(effect).links_react) let_others_react(joint, c);
   if (kind == CandidateKind::decoy) c.depends_on = "position, periodic at no known order";
   problem_.library.push_back(std::move(c));
@@ -104,13 +96,9 @@ void DrivenSubject::add_library(std::size_t joint) {
   add("position_friction", joint);
   add("torsion_spring", joint);
   const Eigen::Vector2d range(0.5 * (s.low + s.high), 0.5 * (s.high - s.low));
-  const auto add_cable = [&](const char* effect) {
-    add(effect, joint, {}, range);
-    problem_.library.back().contains = find_effect("offset").name;
-  };
-  add_cable("cable_torque");
+  add("cable_torque", joint, {}, range);
   // A cubic is near the weight that a link carries over a part of a turn.
-  if (!carries_links(joint)) add_cable("cable_torque_cubic");
+  if (!carries_links(joint)) add("cable_torque_cubic", joint, {}, range);
 }
 
 /// Bristles of one length are roughly how friction turns at a reversal: it has lengths of all

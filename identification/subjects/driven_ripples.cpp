@@ -143,7 +143,6 @@ void DrivenSubject::add_orders(std::size_t joint, double turn, const std::string
                         CandidateKind kind = CandidateKind::named) {
     if (!shows(order)) return false;
     add(effect, joint, name, number(rate * order), kind);
-    problem_.library.back().exact = true;
     return true;
   };
   std::set<int> orders{1, 2, 3};

@@ -7,14 +7,13 @@
 #include <numbers>
 #include <numeric>
 
-#include "identification/diagnosis/select.h"
 #include "identification/logs/dequantise.h"
 #include "identification/regression/baseline.h"
 #include "identification/regression/expected_motion.h"
+#include "identification/regression/noise_model.h"
 #include "identification/regression/position_noise.h"
 #include "identification/regression/refine.h"
 #include "identification/regression/standstill.h"
-#include "identification/regression/trial.h"
 #include "identification/subjects/effect_candidate.h"
 #include "symbolic/dynamics/dynamics_functions.h"
 #include "symbolic/effects/effects.h"
@@ -244,7 +243,7 @@ void DrivenSubject::set_signals(Recording& log) const {
 void DrivenSubject::fit_directions(const Settings& settings) {
   const Design design(problem_, settings);
   Model model = baseline_model(design);
-  refine(design, own_noise(design, model).weights, RefineScope::all_terms, model);
+  refine(design, own_noise(design, model).weights, model);
   for (std::size_t t = 0; t < baseline_.size(); ++t)
     if (baseline_[t].effect == "presliding")
       presliding_[baseline_[t].joint] = model.terms[t].nonlinear(0);

@@ -26,7 +26,6 @@ Candidate of_effect(const std::string& id, const EffectPlace& place, LinearParam
   c.place = place.name;
   c.channels = {place.axis};
   c.linear = {std::move(parameter)};
-  c.told_only = effect.coefficients.empty();
   return c;
 }
 
@@ -83,12 +82,6 @@ Motion rate_of(const Recording& log, int axis) {
   return {log.qd.col(axis), log.qdd.col(axis), log.signals.at("jerk").col(axis)};
 }
 
-/// The true motion is the logged one plus that much of its second derivative.
-Motion curvature_of(const Recording& log, int axis) {
-  return {log.acceleration().col(axis), log.signals.at("jerk").col(axis),
-          log.signals.at("jounce").col(axis)};
-}
-
 /// A signal that many samples ahead of itself, its end held.
 VectorXd earlier(const VectorXd& x, double samples) {
   const auto whole = static_cast<Index>(samples);
@@ -125,7 +118,6 @@ Candidate sensor_error(const EffectPlace& place, const EffortModel& effort,
                        const std::function<Motion(const Recording&)>& error) {
   Candidate c = of_effect("sensor_quantisation", place, {share, "1", 0.0, 1.5, false, {}});
   c.channels = coupled;
-  c.broadband = true;
   c.columns = [axis = place.axis, effort, error](const Recording& log, int channel,
                                                  const VectorXd&) -> MatrixXd {
     const Motion change = error(log);
@@ -153,7 +145,6 @@ Candidate common_delay_candidate() {
 Candidate torque_constant_candidate(const EffectPlace& place) {
   Candidate c =
       of_effect("torque_constant", place, {"gain", "1", -0.6, 1.5, false, {}, kTolerance});
-  c.value = true;
   c.columns = [axis = place.axis](const Recording& log, int channel, const VectorXd&) -> MatrixXd {
     if (channel != axis) return {};
     return log.signals.at("effort").col(axis);
@@ -196,11 +187,7 @@ Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel&
                                     const std::vector<int>& coupled, double friction) {
   Candidate c = of_effect("sensor_low_pass", place, {"time_constant", "s", 0.0, 0.1, false, {}});
   c.channels = coupled;
-  c.bend = [axis = place.axis, effort](const Recording& log, int, const VectorXd&) -> MatrixXd {
-    return response(effort, log, axis, curvature_of(log, axis), kSmallTime * kSmallTime);
-  };
   c.nonlinear = {{"time_constant_of_motion", "s", 1e-3, 0.05, 4, true}};
-  c.contains = "delay";
   c.possible = of_its_size(2.0);
   c.columns = [axis = place.axis, effort, friction](const Recording& log, int channel,
                                                     const VectorXd& constant) -> MatrixXd {

@@ -60,7 +60,6 @@ void add_coarse_sensor(ObservedSubject& subject, const CoarseSensor& sensor) {
   c.linear = {{"share", "1", 0.0, 3.0, false, {}}};
   c.limit_meaning = "its steps would lie between the true values";
   c.isolating_experiment = "a slow motion, the reading against a finer sensor";
-  c.broadband = true;  // a fast motion makes many steps a second
   c.columns = [key](const Recording& log, int channel, const VectorXd&) -> MatrixXd {
     return log.signals.at(key).col(channel);
   };

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "identification/diagnosis/select.h"
 #include "identification/regression/baseline.h"
 #include "identification/regression/flexible_families.h"
+#include "identification/regression/noise_model.h"
+#include "identification/regression/position_noise.h"
 #include "identification/regression/refine.h"
 
 namespace sinew::test {
@@ -195,7 +196,10 @@ void add_position(const DriveScales& s, std::vector<Candidate>& list) {
       make("spring", {}, {any("stiffness")},
            [](const Recording& log, const VectorXd&) -> MatrixXd { return log.q.col(0); }));
   std::vector<LinearParameter> powers;
-  for (int k = 1; k <= 7; ++k) powers.push_back(any("degree " + std::to_string(k)));
+  for (int k = 1; k <= 7; ++k) {
+    powers.push_back(any("degree " + std::to_string(k)));
+    powers.back().share = std::pow(0.6, k - 1);  // of smooth torques
+  }
   list.push_back(make("position-dependent cable torque", {}, powers,
                       [middle, half](const Recording& log, const VectorXd&) -> MatrixXd {
                         const ArrayXd x =
@@ -214,6 +218,35 @@ void add_position(const DriveScales& s, std::vector<Candidate>& list) {
                         [](const Recording& log, const VectorXd&) -> MatrixXd {
                           return periodic(log.q.col(0).array());
                         }));
+}
+
+/// What is in every measurement, fitted beside everything as the program does it
+/// (driven_library.cpp): friction turns over ways of all lengths, and of the acceleration that
+/// which is faster than the motion is the position sensor's noise.
+void add_nuisances(const DriveScales& s, std::vector<Candidate>& list) {
+  std::vector<double> lengths;
+  std::vector<LinearParameter> levels;
+  for (const double share : {1e-5, 1e-4, 1e-3, 1e-2}) {
+    lengths.push_back(share * (s.high - s.low));
+    levels.push_back(any("level " + std::to_string(lengths.size())));
+  }
+  list.push_back(make("how friction turns at reversals", {}, levels,
+                      [lengths, soft = s.presliding](const Recording& log, const VectorXd&) {
+                        MatrixXd x(log.q.rows(), static_cast<Index>(lengths.size()));
+                        for (std::size_t k = 0; k < lengths.size(); ++k)
+                          x.col(static_cast<Index>(k)) =
+                              direction(log, lengths[k]) - direction(log, soft);
+                        return x;
+                      }));
+  list.back().kind = CandidateKind::flexible;
+  list.back().nuisance = true;
+  list.push_back(make("noise of the position sensor", {}, {any("share")},
+                      [](const Recording& log, const VectorXd&) -> MatrixXd {
+                        const Motion smooth =
+                            differentiate(log.q, log.step, smooth_cutoff(log.step));
+                        return smooth.qdd - log.qdd;
+                      }));
+  list.back().nuisance = true;
 }
 
 }  // namespace
@@ -260,7 +293,7 @@ double fitted_presliding(const std::vector<Recording>& logs, const DriveScales& 
   problem.baseline = drive_baseline(scales);
   const Design design(problem, settings);
   Model model = baseline_model(design);
-  refine(design, own_noise(design, model).weights, RefineScope::all_terms, model);
+  refine(design, own_noise(design, model).weights, model);
   return model.terms[2].nonlinear(0);
 }
 
@@ -270,6 +303,7 @@ std::vector<Candidate> drive_library(const DriveScales& scales) {
   add_ripples(scales, list);
   add_dynamics(scales, list);
   add_position(scales, list);
+  add_nuisances(scales, list);
   const FlexibleRanges ranges{scales.low, scales.high, scales.speed, scales.load, scales.duration};
   for (auto* shapes : {flexible_families, local_decoys})
     for (Candidate& shape : shapes(ranges, 0, 0)) list.push_back(std::move(shape));

@@ -104,7 +104,6 @@ std::set<std::string> names_with_places(const Verdict& verdict) {
 
 TEST_CASE("among several joints a cause is named at its own") {
   Settings settings;
-  settings.surrogates = 100;
   const Problem problem = many(3, 20.0, 2e-3);
   CHECK(names_with_places(explain(problem, settings).verdict) ==
         std::set<std::string>{"viscous asymmetry @ joint 2", "ripple, input order 1 @ joint 3"});

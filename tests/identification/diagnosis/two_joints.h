@@ -28,7 +28,6 @@ inline diagnosis::Recording two_joint_motion() {
 inline diagnosis::Settings below_20_hz() {
   diagnosis::Settings settings;
   settings.band_hz = 20.0;
-  settings.surrogates = 100;
   return settings;
 }
 

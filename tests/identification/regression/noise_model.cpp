@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The noise model and the surrogates on noise whose spectrum is known.
+// The noise model on noise whose spectrum is known.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "identification/regression/noise_model.h"
 #include "identification/regression/spectrum.h"
-#include "identification/regression/surrogates.h"
 
 namespace {
 
@@ -67,38 +66,4 @@ TEST_CASE("the noise spectrum is found, and a fit's appetite is put back") {
   CHECK(std::abs(bias(noise_spectrum(left, leverage, 1.0), pole, 5, 50)) < 0.35);
   // Without the correction the noise would be taken for half of what it is.
   CHECK(bias(noise_spectrum(left, none, 1.0), pole, 5, 50) < -0.45);
-}
-
-TEST_CASE("a null distribution gives uniform probabilities far into its tail") {
-  std::mt19937_64 random(5);
-  std::chi_squared_distribution<double> chi(2.0);
-  VectorXd samples(400);
-  for (double& s : samples) s = chi(random);
-  const NullDistribution null(samples);
-  CHECK(null.surprise(2.0) == Approx(1.0).margin(0.15));
-  CHECK(null.surprise(20.0) == Approx(10.0).margin(1.5));
-  CHECK(null.surprise(2000.0) > 800.0);
-  CHECK(std::isfinite(null.surprise(1e7)));
-}
-
-TEST_CASE("the family-wise probability counts the library") {
-  std::mt19937_64 random(6);
-  std::exponential_distribution<double> surprise(1.0);
-  VectorXd largest(300);
-  for (double& l : largest) {
-    l = 0.0;
-    for (int i = 0; i < 30; ++i) l = std::max(l, surprise(random));
-  }
-  const FamilyNull family(largest);
-  CHECK(family.effective_tests() == Approx(30.0).epsilon(0.25));
-  CHECK(family.p_value(std::log(30.0 / 0.001)) == Approx(0.001).epsilon(0.4));
-  // A single test's probability would be thirty times too small.
-  CHECK(family.p_value(6.9) > 10.0 * std::exp(-6.9));
-}
-
-TEST_CASE("repeated runs give the noise floor") {
-  const VectorXd motion = autoregressive(0.999, 1);
-  const VectorXd a = autoregressive(0.0, 2), b = autoregressive(0.0, 3);
-  CHECK(repeat_noise_floor(motion + a, motion + b) == Approx(1.0).epsilon(0.05));
-  CHECK_THROWS(repeat_noise_floor(a, b.head(10)));
 }

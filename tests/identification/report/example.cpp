@@ -22,11 +22,9 @@ const std::string kHash = "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6
 NamedCause cause(const std::string& name, const std::string& place, double confidence,
                  double share) {
   NamedCause c;
-  c.members = {{0, name, place, 0.0, 0.0, 1.0, confidence}};
+  c.members = {{0, name, place, 0.0, confidence}};
   c.confidence = confidence;
-  c.statistic = 4000.0 * share;
-  c.p_family = 0.0005;
-  c.validated = 3800.0 * share;
+  c.log_odds = 2000.0 * share;
   c.cross_validated = {share, share - 0.06, share + 0.05};
   c.held_out = {share - 0.02, share - 0.09, share + 0.04};
   return c;
@@ -81,11 +79,12 @@ void add_drive_causes(Verdict& v) {
                             {"sine", "N", 0.22, 0.06, "sweep.csv"},
                             {"cosine", "N", 1.49, 0.06, "sweep.csv"}};
   v.causes[3].parameters = {{"delay", "s", 0.00081, 0.00004, ""}};
-  v.ruled_out = {{"Stribeck friction", "motor",
-                  "friction rises, not falls, as the drive starts to move", 31.0, 0.004},
-                 {"ripple off the motor's order", "motor", "chance does as well", 9.2, 0.61},
-                 {"load-dependent friction", "motor", "the logs do not excite it", 2.1, 0.98},
-                 {"backlash", "gear", "left-out blocks get worse", 14.8, 0.12}};
+  v.ruled_out = {
+      {"Stribeck friction", "motor", "friction rises, not falls, as the drive starts to move", 4.0},
+      {"ripple off the motor's order", "motor", "nothing beyond noise beside the named causes",
+       -13.1},
+      {"load-dependent friction", "motor", "not excited by these logs beside the model", -11.5},
+      {"backlash", "gear", "too little beside the named causes to be told from noise", -4.1}};
 }
 
 std::vector<CauseTerm> drive_terms() {
@@ -132,8 +131,7 @@ Findings rich_drive() {
   f.channels = {channel("f", "N", 0.0408, 0.0191)};
   f.channels[0].plots = drive_plots("f", "N", 24841, 1);
   add_drive_causes(f.verdict);
-  f.verdict.unexplained.depends_on = {
-      {"periodic in time, 50.0 Hz", "motor", 0.002, {0.045, 0.02, 0.06}}};
+  f.verdict.unexplained.depends_on = {{"periodic in time, 50.0 Hz", "motor", 6.2}};
   f.verdict.unexplained.named_share = 0.94;
   f.verdict.unexplained.remaining = 0.22;
   f.verdict.baseline = {{"M", "kg", 95.12, 0.21, ""},
@@ -168,13 +166,14 @@ Findings inseparable_pair() {
   f.channels[0].plots = drive_plots("tau_elbow", "N*m", 3000, 3);
   Verdict v;
   v.causes = {cause("payload", "elbow", 0.96, 0.93)};
-  v.causes[0].members = {{4, "payload", "elbow", 0.0, 0.0, 1.0, 0.58},
-                         {9, "torque gain", "elbow", 1.3, 0.4, 0.998, 0.42}};
+  v.causes[0].members = {{4, "payload", "elbow", 0.0, 0.58},
+                         {9, "torque gain", "elbow", 0.3, 0.42}};
   v.causes[0].parameters = {{"mass", "kg", 0.412, 0.008, ""}};
   v.causes[0].separation.experiment =
       "move the shoulder as well, slowly, with the elbow held at 90 degrees. A payload loads the "
       "shoulder, a torque gain does not.";
-  v.ruled_out = {{"Coulomb friction level", "elbow", "chance does as well", 6.0, 0.44}};
+  v.ruled_out = {
+      {"Coulomb friction level", "elbow", "nothing beyond noise beside the named causes", -12.6}};
   v.relative_error_before = 0.31;
   v.relative_error_after = 0.074;
   f.verdict = v;
@@ -254,13 +253,10 @@ Findings none_of_the_known() {
   f.channels = {channel("tau_m", "N*m", 0.19, 0.19)};
   f.channels[0].plots = drive_plots("tau_m", "N*m", 5000, 5, false);
   f.verdict = {};
-  f.verdict.unexplained = {true,
-                           {{"position x direction", "motor", 0.0005, {0.61, 0.52, 0.68}},
-                            {"velocity", "motor", 0.003, {0.11, 0.05, 0.16}}},
-                           {"elastic hysteresis, motor"},
-                           0.18,
-                           0.83};
-  f.verdict.ruled_out = {{"Stribeck friction", "motor", "left-out blocks get worse", 12.0, 0.2}};
+  f.verdict.unexplained = {
+      true, {{"position x direction", "motor", 310.0}, {"velocity", "motor", 21.0}}, 0.18, 0.83};
+  f.verdict.ruled_out = {
+      {"Stribeck friction", "motor", "nothing beyond noise beside the named causes", -12.0}};
   f.verdict.relative_error_before = f.verdict.relative_error_after = 0.19;
   f.terms.clear();
   f.extension = {false, true, "there is no term to add.", "", {}, 0, 0};
@@ -296,11 +292,12 @@ Findings large_finger() {
   }
   f.verdict.causes[1] = cause("guiding friction against bending angle", "tendon 1", 0.93, 0.3);
   f.verdict.causes[1].members = {
-      {1, "guiding friction against bending angle", "tendon 1", 0.0, 0.0, 1.0, 0.5},
-      {2, "guiding friction against bending angle", "tendon 3", 2.0, 0.8, 0.97, 0.5}};
+      {1, "guiding friction against bending angle", "tendon 1", 0.0, 0.5},
+      {2, "guiding friction against bending angle", "tendon 3", 0.5, 0.5}};
   for (int i = 0; i < 60; ++i)
     f.verdict.ruled_out.push_back({"lever hysteresis with a name of some length",
-                                   "tendon " + std::to_string(i), "chance does as well", 3.0, 0.7});
+                                   "tendon " + std::to_string(i),
+                                   "nothing beyond noise beside the named causes", -12.4});
   f.logs[0].file = "measurements/2026-11-21/index_finger_slow_triangular_motion_of_all_joints.csv";
   return f;
 }

@@ -18,7 +18,7 @@ Findings lone_cause();
 /// A joint held still, whose error is nothing to explain, and plots with axes of all kinds.
 Findings awkward_numbers();
 
-/// A cause without a name, a withdrawn name, an extension refused.
+/// A cause without a name, an extension refused.
 Findings none_of_the_known();
 
 /// A model that is right.

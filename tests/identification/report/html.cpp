@@ -149,7 +149,6 @@ TEST_CASE("structure without a name, and noise") {
   const std::string none = report_html(example::none_of_the_known());
   CHECK(contains(none, "Structured, but none of the known causes"));
   CHECK(contains(none, "position × direction"));
-  CHECK(contains(none, "elastic hysteresis, motor"));
   CHECK_FALSE(contains(none, "Error after"));
   const std::string noise = report_html(example::nothing_beyond_noise());
   CHECK(contains(noise, "Nothing beyond noise"));

@@ -20,9 +20,6 @@ using diagnosis::Findings;
 }  // namespace
 
 TEST_CASE("friction that a model lacks at every joint is named at every joint", "[slow]") {
-  // Planted defects, each seen to fail: six deviations at most (select_deviations), a hundredth of
-  // the baseline asked of every deviation (is_worth_naming), degenerates() in confounding.cpp never
-  // true.
   const Mechanism arm = arm_of_five();
   const ArmFriction friction{0.6, 0.4};
   const Findings found =

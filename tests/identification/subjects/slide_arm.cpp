@@ -66,8 +66,7 @@ double value_of(const NamedCause& cause, const std::string& name) {
 TEST_CASE("rotors beside links that are a little off are no other links and no payload", "[slow]") {
   // Planted defects, each seen to fail: kOwnSpread at 1e3 (rigid_candidates.cpp; links of thrice
   // their mass stand for the rotors), hold_bodies() without effect (no rotor gains anything beside
-  // links that may be anything), no put_adopted_first() (explain_by_rules.cpp; what the last link
-  // changes is told as a payload, and not adopted).
+  // links that may be anything).
   const Mechanism drawn = slide_arm(), built = as_built(drawn);
   const ArmFriction drives{0.8, 1.2, {6.0, 0.3, 0.08}};
   const auto log = [&](std::uint64_t seed) {

@@ -4,10 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "identification/diagnosis/confounding.h"
 #include "identification/diagnosis/separation.h"
 #include "identification/likelihood/explain.h"
-#include "identification/regression/baseline.h"
 #include "tests/identification/diagnosis/two_joints.h"
 
 namespace {
@@ -94,19 +92,6 @@ TEST_CASE("a second joint separates them") {
   const ParameterEstimate& size = e.verdict.causes[0].parameters[0];
   CHECK(std::abs(size.value - 0.3) < 5.0 * size.standard_error);
   CHECK(size.standard_error < 0.1);
-}
-
-TEST_CASE("canonical correlation is one for stand-ins and small for strangers") {
-  const Problem problem = arm(1, 0.3, 5);
-  const Settings settings = test::below_20_hz();
-  const Design design(problem, settings);
-  const Model model = baseline_model(design);
-  const Weights weights = own_noise(design, model).weights;
-  const auto columns = [&](int i) {
-    return design.columns(problem.library[static_cast<std::size_t>(i)], VectorXd());
-  };
-  CHECK(CanonicalCorrelation(model, weights).largest(columns(0), columns(1)) > 0.999);
-  CHECK(CanonicalCorrelation(model, weights).largest(columns(0), columns(2)) < 0.5);
 }
 
 TEST_CASE("the planned motion that separates a set is the one proposed") {
