@@ -67,7 +67,7 @@ void fit_starts(const Design& design, const std::vector<Start>& starts, FoundSlo
   if (starts.empty()) return;
   for (std::size_t t = first; t < found.model.terms.size(); ++t)
     found.model.terms[t].with_prior = true;
-  refine(design, found.whitening.training, RefineScope::all_terms, found.model);
+  refine(design, found.whitening.training, found.model);
   std::vector<Term> sorted(starts.size());
   for (std::size_t k = 0; k < starts.size(); ++k) sorted[order[k]] = found.model.terms[first + k];
   std::move(sorted.begin(), sorted.end(),

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "identification/likelihood/decision_constants.h"
-#include "identification/regression/screening.h"
+#include "identification/regression/starting_values.h"
 
 namespace sinew::diagnosis {
 namespace {

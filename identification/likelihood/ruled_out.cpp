@@ -144,9 +144,7 @@ void list_ruled_out(const FoundSlots& found, Verdict& verdict) {
     for (const RankedCause& member : cause.members) listed.insert({member.name, member.place});
   list_unsure(found, listed, verdict);
   const std::vector<bool> beyond = beyond_limits(found), banned = taken_back(found);
-  SlotSearch search = *found.search;
-  search.set_names_alone(false);
-  for (const Rival& rival : search.on_top(found.slots)) {
+  for (const Rival& rival : found.search->on_top(found.slots)) {
     const auto index = static_cast<std::size_t>(rival.hypothesis);
     const Hypothesis& h = found.all.list[index];
     if (is_listed(h) && listed.insert(name_at_place(*h.source)).second)

@@ -291,7 +291,7 @@ Slots SlotSearch::with_names(Slots slots) const {
 }
 
 std::vector<Rival> SlotSearch::on_top(const Slots& slots) const {
-  return ranked(model_.log_odds(slots, model_.fit(slots, Regions::kEverywhere), names_alone_));
+  return ranked(model_.log_odds(slots, model_.fit(slots, Regions::kEverywhere), false));
 }
 
 }  // namespace sinew::diagnosis

@@ -47,7 +47,7 @@ class SlotSearch {
   std::vector<Rival> credible(const Slots& slots, std::size_t slot) const;
   /// The same slots, each with the most probable name of its credible set, where there is one.
   Slots with_names(Slots slots) const;
-  /// Every hypothesis on top of the slots.
+  /// Every hypothesis on top of the slots, with a name or not.
   std::vector<Rival> on_top(const Slots& slots) const;
   /// Coefficients of a slot in the columns' own units, by coefficient of its first shape.
   Eigen::VectorXd coefficients(const Slots& slots, std::size_t slot) const {

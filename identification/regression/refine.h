@@ -10,12 +10,6 @@ namespace sinew::diagnosis {
 /// eliminated at every evaluation (variable projection), so causes are always re-fitted together.
 void refine(const Design& design, const Weights& weights, Model& model);
 
-/// The former form of it.
-enum class RefineScope { all_terms };
-inline void refine(const Design& design, const Weights& weights, RefineScope, Model& model) {
-  refine(design, weights, model);
-}
-
 /// A term at given nonlinear parameters, with its columns.
 Term make_term(const Design& design, const Candidate& candidate, const Eigen::VectorXd& nonlinear,
                bool baseline);

@@ -26,7 +26,6 @@ DriveStretches drive_stretches(const std::vector<std::string>& effects,
       simulate_drive(effects, sizes, duration * static_cast<double>(count), seed);
   DriveStretches made;
   made.settings.edge_s = 0.2;
-  made.settings.by_likelihood = true;
   made.period_in = drive.period_in;
   made.period_out = drive.period_out;
   const Eigen::Index rows = drive.log.time.size() / static_cast<Eigen::Index>(count);

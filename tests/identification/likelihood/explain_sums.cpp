@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "identification/likelihood/explain_by_likelihood.h"
+#include "identification/likelihood/explain.h"
 #include "tests/identification/likelihood/drive_stretches.h"
 
 namespace {
@@ -22,7 +22,7 @@ BothVerdicts both_verdicts(const std::vector<std::string>& effects, unsigned see
   BothVerdicts both;
   Problem problem = drive.problem({0, 1, 2, 3, 4});
   problem.holdout = {drive.logs[5], drive.logs[6], drive.logs[7]};
-  both.of_logs = explain_by_likelihood(problem, drive.settings).verdict;
+  both.of_logs = explain(problem, drive.settings).verdict;
   const ReferenceColumns reference(drive.problem({0}), drive.settings);
   LogSums training = reference.sums({drive.logs[0]});
   for (const std::size_t i : {1u, 2u, 3u, 4u}) training.add(reference.sums({drive.logs[i]}));
