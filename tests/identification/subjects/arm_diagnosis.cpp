@@ -97,8 +97,7 @@ TEST_CASE("a link that is heavier than its drawing is named, and the model takes
 TEST_CASE("a first link of other mass and inertia is one cause") {
   // What it changes is a mass at the elbow and an inertia at the shoulder, here more than in
   // proportion: of a link that is only denser a payload says nearly all in logs this noisy, and
-  // thrice its inertia is less likely of a link than of a rotor beside a payload. Planted
-  // defect: without find_fewer_causes() a payload and an inertia are told beside each other.
+  // thrice its inertia is less likely of a link than of a rotor beside a payload.
   const Mechanism arm = upper_and_lower_arm();
   Mechanism built = arm;
   built.bodies[0].mass *= 1.3;
