@@ -6,6 +6,7 @@
 #include <string>
 
 #include "generator/function.h"
+#include "symbolic/expressions/definition_list.h"
 #include "symbolic/extension/observation.h"
 
 namespace sinew {

@@ -87,7 +87,7 @@ inline int tendon_count(const WristParameters& parameters) {
 struct Lengths {
   /// Coefficients of a layer, or their derivatives.
   struct Terms {
-    std::array<ex, 3> across;  ///< of 1, y, y² in what x and z have of half the square
+    std::array<GiNaC::ex, 3> across;  ///< of 1, y, y² in what x and z have of half the square
     GiNaC::ex along, axis;     ///< L_y, a_y
   };
 
