@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 
 #include "symbolic/dynamics/coordinates.h"
 #include "symbolic/model/channel_name.h"

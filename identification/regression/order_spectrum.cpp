@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/regression/order_spectrum.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
