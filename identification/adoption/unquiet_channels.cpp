@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "identification/logs/log.h"
 #include "identification/regression/spectrum.h"
 
 namespace sinew::diagnosis {
