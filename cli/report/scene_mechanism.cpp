@@ -2,6 +2,7 @@
 // A mechanism in the drawing. Of a pulley the model knows the moment arm alone: the tendon is drawn
 // around a pulley of that radius on the joint's axis, through the axis of joints that it does not
 // act on, and ends on the link behind its last pulley.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

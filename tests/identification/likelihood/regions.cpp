@@ -2,6 +2,7 @@
 // Columns of joints that do not meet, against the same columns taken as one region.
 #include "identification/likelihood/regions.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>

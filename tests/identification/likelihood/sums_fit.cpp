@@ -2,6 +2,7 @@
 // Least squares from products against the rows that they were made of.
 #include "identification/likelihood/sums_fit.h"
 
+#include <Eigen/QR>
 #include <catch2/catch.hpp>
 
 using namespace sinew::diagnosis;

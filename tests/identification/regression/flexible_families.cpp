@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/regression/flexible_families.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "symbolic/effects/model_effects.h"
+#include "symbolic/extension/identified_mechanism.h"
 #include "symbolic/model/pseudo_inertia.h"
 #include "tests/identification/subjects/arm_logs.h"
 #include "tests/identification/subjects/diagnosed_robot.h"
