@@ -91,7 +91,7 @@ std::vector<MeasuredChannel> measure(const DrivenSubject& subject, const Design&
     m.held_out = s.holdout;
     m.step = 1.0 / s.rate_hz;
     m.band_hz = s.filter.band_hz;
-    m.counts = design.window(segment);
+    m.counts = design.motion_window_of(segment);
     const auto axis = static_cast<Index>(s.channel);
     m.time = design.at_instants(segment, log.time);
     m.position = design.at_instants(segment, log.q.col(axis));

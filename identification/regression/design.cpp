@@ -126,7 +126,8 @@ void Design::add_segments(const std::vector<Recording>& recordings, int first, b
       segments_.push_back(segment);
       windows_.push_back(settings_.every_sample
                              ? VectorXd(VectorXd::Ones(segment.samples))
-                             : motion_window_of(static_cast<int>(segments_.size()) - 1));
+                             : VectorXd(motion_window_of(static_cast<int>(segments_.size()) - 1)
+                                            .cwiseProduct(end_taper(segment.samples))));
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <stdexcept>
 #include <unsupported/Eigen/FFT>
 #include <vector>
@@ -62,6 +63,17 @@ MatrixXd from_band(const MatrixXd& band, Index samples) {
     x.col(c) = VectorXd::Map(out.data(), samples);
   }
   return x;
+}
+
+VectorXd end_taper(Index samples) {
+  constexpr double share = 0.05;
+  VectorXd taper = VectorXd::Ones(samples);
+  const double length = share * static_cast<double>(samples);
+  for (Index k = 0; static_cast<double>(k) + 0.5 < length && 2 * k < samples; ++k) {
+    const double away = (static_cast<double>(k) + 0.5) / length;
+    taper(k) = taper(samples - 1 - k) = 0.5 - 0.5 * std::cos(std::numbers::pi * away);
+  }
+  return taper;
 }
 
 VectorXd per_row(const VectorXd& per_bin) {

@@ -17,6 +17,12 @@ Eigen::MatrixXd to_band(const Eigen::MatrixXd& x, Eigen::Index bins);
 /// The inverse, band-limited: 2 * bins x k -> samples x k.
 Eigen::MatrixXd from_band(const Eigen::MatrixXd& band, Eigen::Index samples);
 
+/// 1, less over the first and last twentieth (cosine bells): to_band() takes a stretch of a log for
+/// one period, and where slow noise leaps from its end to its beginning, the bins of that leap are
+/// not independent. Seen at noise of second order above 1 Hz: a drift of friction at odds of e^34
+/// in a log that had none.
+Eigen::VectorXd end_taper(Eigen::Index samples);
+
 /// Repeats a value per bin for the real and the imaginary row.
 Eigen::VectorXd per_row(const Eigen::VectorXd& per_bin);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sinew::trials {
 namespace {
@@ -123,12 +124,23 @@ VectorXd ComparedFilter::at_instants(const VectorXd& x) const {
   return y;
 }
 
+VectorXd ComparedFilter::ends(const VectorXd& x) const {
+  const Index n = kept(x);
+  const double tail = 0.05 * static_cast<double>(n);
+  VectorXd weight(n);
+  for (Index k = 0; k < n; ++k) {
+    const double inside = static_cast<double>(std::min(k, n - 1 - k)) + 0.5;
+    weight(k) = inside < tail ? std::pow(std::sin(0.5 * std::numbers::pi * inside / tail), 2.0) : 1.0;
+  }
+  return weight;
+}
+
 Size size_of(const std::vector<Channel>& channels, double step) {
   Size size;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const Channel& channel = channels[c];
     const ComparedFilter filter(step, channel.band);
-    const VectorXd weight = filter.at_instants(channel.moving);
+    const VectorXd weight = filter.at_instants(channel.moving).cwiseProduct(filter.ends(channel.moving));
     const auto seen = [&](const VectorXd& x) -> VectorXd { return filter(x).cwiseProduct(weight); };
     const double unit = seen(channel.noise).norm();
     VectorXd left = seen(channel.added);

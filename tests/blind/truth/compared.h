@@ -18,6 +18,8 @@ class ComparedFilter {
   VectorXd operator()(const VectorXd& x) const;
   /// The samples on which what is kept is centred.
   VectorXd at_instants(const VectorXd& x) const;
+  /// What the kept samples count for at the ends.
+  VectorXd ends(const VectorXd& x) const;
   double band() const { return band_; }
 
  private:
