@@ -38,30 +38,39 @@ struct Searched {
   std::vector<bool> banned;
 };
 
-/// Searches under one noise, then under that which is beside what was found: its shapes are fitted.
-void try_noise(Whitening noise, const Searched& s, FoundSlots& found) {
+void search_under(Whitening noise, const Searched& s, FoundSlots& found) {
   found.whitening = std::move(noise);
   found.moments = moments_of(s.design, found.all, found.whitening);
+  grow_slots(s.most, s.banned, found);
+  fit_shapes(s.design, found);
+}
+
+/// Searches under one noise, then under that which is beside what was found: its shapes are fitted.
+/// False: nothing was found under either.
+bool try_noise(Whitening noise, const Searched& s, FoundSlots& found) {
   found.forms.clear();
-  grow_slots(s.most, s.banned, found);
-  fit_shapes(s.design, found);
-  found.whitening = whitening_beside(s.design, found.model, s.floor);
-  found.moments = moments_of(s.design, found.all, found.whitening);
-  grow_slots(s.most, s.banned, found);
-  fit_shapes(s.design, found);
+  search_under(std::move(noise), s, found);
+  const bool any = !found.slots.entries.empty();
+  search_under(whitening_beside(s.design, found.model, s.floor), s, found);
+  return any || !found.slots.entries.empty();
 }
 
 /// The noise to begin with. Beside a fit of everything too little is left of it where that takes
 /// all rows of a frequency; beside the model alone all that is hidden counts as noise. The more
 /// probable one of where the two lead.
 void first_noise(const Searched& s, FoundSlots& found) {
-  try_noise(whitening_of(s.design, found.all, s.floor), s, found);
+  // Where nothing was found the noise is that beside the model alone by now.
+  if (!try_noise(whitening_of(s.design, found.all, s.floor), s, found)) return;
   Whitening beside_everything = std::move(found.whitening);
   std::vector<SlotForm> forms = std::move(found.forms);
   const double evidence = found.evidence, share = found.small_errors;
-  try_noise(whitening_beside(s.design, found.all.parts.base, s.floor), s, found);
+  found.forms.clear();
+  search_under(whitening_beside(s.design, found.all.parts.base, s.floor), s, found);
+  if (!found.slots.entries.empty())
+    search_under(whitening_beside(s.design, found.model, s.floor), s, found);
   if (found.evidence >= evidence) return;
   found.whitening = std::move(beside_everything);
+  found.moments = moments_of(s.design, found.all, found.whitening);
   found.forms = std::move(forms);
   found.small_errors = share;
 }
@@ -71,6 +80,7 @@ void noise_beside(const std::vector<SlotForm>& forms, const Searched& s, FoundSl
   found.whitening = whitening_beside(s.design, found.all.parts.base, s.floor);
   fit_forms(s.design, forms, found);
   found.whitening = whitening_beside(s.design, found.model, s.floor);
+  found.moments = moments_of(s.design, found.all, found.whitening);
   found.forms = forms;
 }
 
@@ -99,7 +109,6 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
     first_noise(s, *found);
   else
     noise_beside(beginning, s, *found);
-  found->moments = moments_of(design, found->all, found->whitening);
   for (int round = 0, bans = 0;;) {
     // What a slot's rivals are is asked once the errors of what was found are known.
     if (round == 0 && !found->forms.empty())

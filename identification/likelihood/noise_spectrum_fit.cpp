@@ -26,20 +26,6 @@ using Eigen::VectorXd;
 // A saturated fit leaves at least this share of the rows to the noise.
 constexpr double kRowsLeft = 0.7;
 
-// A slow disturbance of first order rises from its corner downwards, below what cosines over the
-// band resolve, up to the slowest that a log of some ten seconds tells from its mean.
-constexpr double kRiseBelowHz = 2.0, kRiseEndsHz = 0.3;
-
-/// The cosines and the rise towards low frequencies, which is the last.
-VectorXd basis_at(double frequency_hz, double band_hz) {
-  VectorXd x(kCosines + 2);
-  for (int j = 0; j <= kCosines; ++j)
-    x(j) = std::cos(std::numbers::pi * j * frequency_hz / band_hz);
-  x(kCosines + 1) = std::log1p(std::pow(kRiseBelowHz, 2) /
-                               (std::pow(frequency_hz, 2) + std::pow(kRiseEndsHz, 2)));
-  return x;
-}
-
 /// Shapes that stand for their hypothesis: one, or two where there are more than two.
 std::vector<int> representatives(const Hypotheses& all) {
   std::vector<int> chosen;
@@ -134,7 +120,7 @@ VectorXd weight_of(const Design& design, std::size_t s, const SmoothSpectrum& sp
 
 /// One channel's spectrum, and the weights of its segments.
 void whiten(const Design& design, int channel, const std::vector<std::vector<BinEnergy>>& bins,
-            const ExpectedSpectra& expected, double floor, Whitening& whitening) {
+            const ExpectedSpectra& expected, bool rises_go_on, double floor, Whitening& whitening) {
   std::vector<BinEnergy> own;
   double band = 0.0;
   for (std::size_t s = 0; s < bins.size(); ++s)
@@ -144,7 +130,7 @@ void whiten(const Design& design, int channel, const std::vector<std::vector<Bin
     }
   if (own.empty()) return;
   for (BinEnergy& bin : own) bin.energy /= expected_at(expected, channel, bin.frequency_hz);
-  const SmoothSpectrum spectrum = fit_spectrum(own, band, expected.rows);
+  const SmoothSpectrum spectrum = fit_spectrum(own, band, {expected.rows, rises_go_on});
   whitening.of_channel[static_cast<std::size_t>(channel)] = spectrum;
   for (std::size_t s = 0; s < bins.size(); ++s)
     if (design.segments()[s].channel == channel)
@@ -178,66 +164,10 @@ std::vector<SharedNoise> shared_noise(const Design& design, const std::vector<Ve
   return all;
 }
 
-}  // namespace
-
-double SmoothSpectrum::at(double frequency_hz) const {
-  return std::exp(basis_at(std::min(frequency_hz, band_hz), band_hz).dot(coefficients));
-}
-
-namespace {
-
-/// Fisher scoring of all coefficients; of the cosines' alone where the rise is given.
-SmoothSpectrum scored(const std::vector<BinEnergy>& bins, double band_hz, double flat_rows,
-                      std::optional<double> rise) {
-  const Index count = rise ? kCosines + 1 : kCosines + 2;
-  // A cosine's square is a half in the mean.
-  VectorXd prior = VectorXd::Constant(count, 0.5 * flat_rows);
-  prior(0) = 0.0;
-  SmoothSpectrum spectrum{VectorXd::Zero(kCosines + 2), band_hz};
-  spectrum.coefficients(kCosines + 1) = rise.value_or(0.0);
-  double energy = 1e-300, freedom = 1e-300;
-  for (const BinEnergy& bin : bins) {
-    energy += bin.energy;
-    freedom += bin.freedom;
-  }
-  spectrum.coefficients(0) = std::log(energy / freedom);
-  constexpr int most_steps = 60;
-  for (int step = 0; step < most_steps; ++step) {
-    VectorXd slope = -prior.cwiseProduct(spectrum.coefficients.head(count));
-    MatrixXd curvature = prior.asDiagonal();
-    curvature.diagonal().array() += 1e-9;
-    for (const BinEnergy& bin : bins) {
-      const VectorXd x = basis_at(bin.frequency_hz, band_hz);
-      const double ratio =
-          std::min(bin.energy / std::exp(x.dot(spectrum.coefficients)), kClipped * bin.freedom);
-      slope += (ratio - bin.freedom) * x.head(count);
-      curvature += bin.freedom * x.head(count) * x.head(count).transpose();
-    }
-    VectorXd move = curvature.ldlt().solve(slope);
-    // Fisher's steps overshoot far from the maximum.
-    move *= std::min(1.0, 1.0 / std::max(1e-12, move.cwiseAbs().maxCoeff()));
-    spectrum.coefficients.head(count) += move;
-    if (move.cwiseAbs().maxCoeff() < 1e-4) break;
-  }
-  return spectrum;
-}
-
-}  // namespace
-
-SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz, double flat_rows) {
-  const SmoothSpectrum free = scored(bins, band_hz, flat_rows, {});
-  // No steeper than what a disturbance of first order does: where a fit has left no bins, a power
-  // of that law would be the noise of anything.
-  const double own = free.coefficients(kCosines + 1), possible = std::clamp(own, 0.0, 1.0);
-  return own == possible ? free : scored(bins, band_hz, flat_rows, possible);
-}
-
-namespace {
-
 /// From what a fit of a target by some columns leaves over.
 Whitening whitening_from(const Design& design, const std::vector<VectorXd>& target,
                          const std::vector<const BandColumns*>& fitted, const VectorXd& floor,
-                         const ExpectedSpectra& expected) {
+                         const ExpectedSpectra& expected, bool rises_go_on) {
   const auto count = design.segments().size();
   Whitening whitening{even_weights(design), Weights(count), {}, {}, {}};
   whitening.of_channel.resize(static_cast<std::size_t>(design.problem().channels));
@@ -254,7 +184,7 @@ Whitening whitening_from(const Design& design, const std::vector<VectorXd>& targ
       bins[s] = bins_of(design, s, left[s], basis, weights[s]);
     });
     for (int channel = 0; channel < design.problem().channels; ++channel)
-      whiten(design, channel, bins, expected, floor(channel), whitening);
+      whiten(design, channel, bins, expected, rises_go_on, floor(channel), whitening);
   }
   whitening.shared = shared_noise(design, left);
   return whitening;
@@ -268,13 +198,13 @@ Whitening whitening_of(const Design& design, const Hypotheses& all, const Vector
   for (const Term& term : all.parts.base.terms) fitted.push_back(&term.columns.get());
   for (const int shape : representatives(all))
     fitted.push_back(&all.shapes[static_cast<std::size_t>(shape)].columns);
-  return whitening_from(design, all.parts.base.target, fitted, floor, expected);
+  return whitening_from(design, all.parts.base.target, fitted, floor, expected, false);
 }
 
 Whitening whitening_beside(const Design& design, const Model& model, const VectorXd& floor) {
   std::vector<const BandColumns*> fitted;
   for (const Term& term : model.terms) fitted.push_back(&term.columns.get());
-  return whitening_from(design, model.target, fitted, floor, {});
+  return whitening_from(design, model.target, fitted, floor, {}, true);
 }
 
 double log_determinant(const Whitening& whitening) {

@@ -6,31 +6,9 @@
 #include <vector>
 
 #include "identification/likelihood/hypotheses.h"
+#include "identification/likelihood/smooth_spectrum.h"
 
 namespace sinew::diagnosis {
-
-/// log S(f) = sum over j <= kCosines of coefficients(j) cos(pi j f / band_hz) + the last one times
-/// a rise towards low frequencies, which is never a fall: what a sensor and its machine add does
-/// not vanish there, and where the fit takes all rows of the lowest bins nothing else says so. S:
-/// variance of one real row of to_band() (spectrum.h).
-struct SmoothSpectrum {
-  Eigen::VectorXd coefficients;
-  double band_hz = 1.0;
-  double at(double frequency_hz) const;
-};
-
-/// What one bin tells of the spectrum.
-struct BinEnergy {
-  double frequency_hz = 0.0;
-  double energy = 0.0;   ///< of the residual: real^2 + imaginary^2
-  double freedom = 2.0;  ///< real rows that the fit has left in it: 2 less its leverage
-};
-
-/// Minimises sum of freedom log S + energy / S over the bins; energies above kClipped times the
-/// spectrum count as that much. `flat_rows`: what is known of the spectrum beforehand counts as
-/// much as so many real rows of white noise; its level is always free.
-SmoothSpectrum fit_spectrum(const std::vector<BinEnergy>& bins, double band_hz,
-                            double flat_rows = 0.0);
 
 /// What is expected of the spectra of a log before it is looked at.
 struct ExpectedSpectra {
@@ -57,8 +35,8 @@ struct Whitening {
 
 /// From what a fit of the training logs with everything leaves over: the model, and a few shapes of
 /// every hypothesis. `floor`: per channel, the variance of a sample that is not material, which
-/// counts as noise. The fit takes most rows of a short log at the frequencies of its motion, and
-/// without an expectation the spectrum there is a guess.
+/// counts as noise. The fit takes most rows of a short log at the frequencies of its motion: there
+/// the spectrum rises no further, which shows most of what is hidden.
 Whitening whitening_of(const Design& design, const Hypotheses& all, const Eigen::VectorXd& floor,
                        const ExpectedSpectra& expected = {});
 
