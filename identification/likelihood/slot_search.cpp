@@ -127,14 +127,13 @@ Slots SlotSearch::grown(Slots slots, int region) const {
   return model_.weighed(std::move(slots));
 }
 
-/// Every value of the model's own that has one parameter.
-Slots SlotSearch::own_values() const {
-  Slots slots;
+Slots SlotSearch::with_own_values(Slots slots, std::optional<int> region) const {
   for (std::size_t e = 0; e < model_.entries().size(); ++e) {
-    const Hypothesis& h = all_.list[static_cast<std::size_t>(model_.entries()[e].hypothesis)];
+    const auto entry = static_cast<int>(e);
+    const Hypothesis& h = model_.hypothesis_of(entry);
     if (h.candidate >= 0 || model_.entries()[e].columns.size() != 1) continue;
-    slots = with(std::move(slots), static_cast<int>(e),
-                 bayes_factor_of(model_.entries()[e].alone).variance);
+    if (region && model_.region_of(entry) != *region) continue;
+    slots = with(std::move(slots), entry, bayes_factor_of(model_.entries()[e].alone).variance);
   }
   return slots;
 }
@@ -149,17 +148,22 @@ Slots SlotSearch::find(Slots from) const {
 
 Slots SlotSearch::find() const {
   const Slots from_nothing = find({});
-  const Slots from_own = find(own_values());
+  const Slots from_own = find(with_own_values({}, std::nullopt));
   const bool own_are_better = from_own.entries.size() <= most_ && model_.is_possible(from_own) &&
                               from_own.log_posterior > from_nothing.log_posterior + 1e-6;
   return own_are_better ? from_own : from_nothing;
 }
 
-/// Beginnings of other searches: the best rivals of a region's slots in their place. Structure
-/// without a name hides the names that it explains as well: its best rivals with a name begin one
-/// each, too.
+/// Beginnings of other searches: the model's own values in the place of all of a region's slots,
+/// and the best rivals of each slot in its place. Structure without a name hides the names that it
+/// explains as well: its best rivals with a name begin one each, too.
 std::vector<Slots> SlotSearch::other_starts(const Slots& found, int region) const {
-  std::vector<Slots> starts;
+  Slots elsewhere = found;
+  for (std::size_t i = found.entries.size(); i-- > 0;)
+    if (model_.region_of(found.entries[i]) == region) elsewhere = without(std::move(elsewhere), i);
+  Slots own = with_own_values(std::move(elsewhere), region);
+  settle(own, region);
+  std::vector<Slots> starts{std::move(own)};
   const SlotModel::Fit whole = model_.fit(found, region);
   for (std::size_t i = 0; i < found.entries.size(); ++i) {
     if (model_.region_of(found.entries[i]) != region) continue;

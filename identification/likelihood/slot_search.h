@@ -62,7 +62,8 @@ class SlotSearch {
   std::optional<Rival> name_of(const std::vector<Rival>& set) const;
   bool polish(Slots& slots, int region) const;
   void settle(Slots& slots, int region) const;
-  Slots own_values() const;
+  /// With every value of the model's own that has one parameter, of a region or of all.
+  Slots with_own_values(Slots slots, std::optional<int> region) const;
   Slots grown(Slots slots, int region) const;
   std::vector<Slots> other_starts(const Slots& found, int region) const;
   Slots from_rivals(const Slots& found, int region) const;

@@ -85,7 +85,8 @@ TEST_CASE("what a force at a point asks of the joints is its Jacobian's") {
 TEST_CASE("a push that no log has is told where it acts and how strong, and spoils nothing else",
           "[slow]") {
   // Planted defects, each seen to fail: a search that does not leave the disturbed stretches out
-  // (leave_out); links that are not asked (places_of).
+  // (leave_out); links that are not asked (places_of); no start from the model's own values beside
+  // what the pushes have made of a joint (other_starts in slot_search.cpp).
   const Mechanism arm = arm_of_five();
   const ArmFriction friction{0.6, 0.4};
   ArmLog train = draw_log(arm, 1, friction, 0.004, 20.0);
