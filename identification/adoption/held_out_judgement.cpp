@@ -54,9 +54,20 @@ bool is_sure(const Gain& gain) {
   return gain.share * of_interval > enough * (gain.share - gain.low) && gain.share > 0.0;
 }
 
+/// Structure that the held-out logs could have confirmed, and did not.
+void drop_unconfirmed(Unexplained& rest) {
+  const bool had = !rest.depends_on.empty();
+  std::erase_if(rest.depends_on,
+                [](const Dependence& d) { return d.confirmed && !is_sure(*d.confirmed); });
+  if (!had || !rest.depends_on.empty()) return;
+  rest.none_of_the_known = false;
+  rest.named_share = 1.0;
+}
+
 }  // namespace
 
 void confirm_on_held_out(Verdict& verdict) {
+  drop_unconfirmed(verdict.unexplained);
   constexpr double kExcess = 3.0;
   std::vector<NamedCause> kept;
   for (NamedCause& cause : verdict.causes) {

@@ -67,6 +67,9 @@ struct Dependence {
   std::string on;  ///< "position x direction", "time, periodically, 12.4 Hz", ...
   std::string place;
   double log_odds = 0.0;  ///< of structure of that form against nothing in its place
+  /// Whitened error on the held-out logs; absent: they could not confirm it, since it is of a log's
+  /// time or has values of its own in each.
+  std::optional<Gain> confirmed = {};
 };
 
 /// A gain on left-out blocks that is no fluke of the training logs.

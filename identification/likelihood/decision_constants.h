@@ -11,6 +11,10 @@ inline constexpr double kPriorOdds = 1e-5;
 /// out against structure that was wrongly named, at equal cost.
 inline constexpr double kUnnamedOdds = 0.3;
 
+/// Odds of a cause that is unlikely by itself, as a share of another one's: named only where no
+/// other explains as much (a link that is not as drawn, where a rotor or a payload may be).
+inline constexpr double kUnlikelyOdds = 2.5e-3;
+
 /// Sizes of a cause, as shares of the rms of what was measured: from what is worth telling to what
 /// a model's own values can be off by.
 inline constexpr double kSmallestSize = 0.004, kLargestSize = 0.5;

@@ -79,10 +79,9 @@ struct Measured {
 };
 
 /// The whitened error on the held-out logs with a term and without it.
-Gain confirmed_gain(const Measured& m, std::size_t term) {
-  const auto [with, without] =
-      compared(m.design, m.adopted.model, term, m.found.whitening.training);
-  const VectorXd channels = channels_of(m.design, m.adopted.model.terms[term]);
+Gain confirmed_gain(const Measured& m, const Model& whole, std::size_t term) {
+  const auto [with, without] = compared(m.design, whole, term, m.found.whitening.training);
+  const VectorXd channels = channels_of(m.design, whole.terms[term]);
   const auto losses = [&](const Model& model) {
     const LinearFit fit = solve(stack(model, m.found.whitening.training));
     return VectorXd(
@@ -104,12 +103,31 @@ std::vector<NamedCause> measured_causes(const Measured& m, const std::vector<Nam
     cause.parameters = all[first + i];
     cause.cross_validated = cross_validated_gain(m.design, m.settings, m.adopted, first + i);
     cause.held_out = gain_on_held_out(m.design, m.settings, m.adopted, first + i);
-    cause.confirmed = confirmed_gain(m, first + i);
+    cause.confirmed = confirmed_gain(m, m.adopted.model, first + i);
   }
   std::stable_sort(list.begin(), list.end(), [](const NamedCause& a, const NamedCause& b) {
     return a.cross_validated.share > b.cross_validated.share;
   });
   return list;
+}
+
+bool is_of_one_log(const Candidate& c) {
+  return c.of_its_time || std::any_of(c.linear.begin(), c.linear.end(),
+                                      [](const LinearParameter& p) { return p.per_log; });
+}
+
+/// What the held-out logs say of structure without a name, in the order of its slots.
+void confirm_structure(const Measured& m, std::vector<Dependence>& depends_on) {
+  if (m.design.problem().holdout.empty()) return;
+  const Model& model = m.found.model;
+  const std::size_t first = model.terms.size() - m.found.slots.entries.size();
+  auto said = depends_on.begin();
+  for (std::size_t i = 0; i < m.found.slots.entries.size() && said != depends_on.end(); ++i) {
+    const Hypothesis& h = hypothesis_of(m.found, i);
+    if (h.named || !is_told(m.found, i)) continue;
+    if (!is_of_one_log(*h.source)) said->confirmed = confirmed_gain(m, model, first + i);
+    ++said;
+  }
 }
 
 }  // namespace
@@ -135,6 +153,7 @@ Explanation explain(const Problem& problem, const Settings& settings, const IsWa
   Verdict& verdict = result.verdict;
   verdict.causes = measured_causes({design, settings, *found, adopted}, of_slot);
   tell_unnamed(*found, verdict.unexplained);
+  confirm_structure({design, settings, *found, adopted}, verdict.unexplained.depends_on);
   list_ruled_out(*found, verdict);
   tell_errors(design, settings, found->all.parts.base, adopted, verdict);
   if (!problem.deviations.empty()) result.adopted = std::move(adopted);

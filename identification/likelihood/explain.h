@@ -13,7 +13,6 @@ namespace sinew::diagnosis {
 /// more than the selection is (explanation.h). `beginning`: forms of an explanation of nearly the
 /// same logs, which is quicker than from nothing.
 Explanation explain(const Problem& problem, const Settings& settings,
-                    const IsWanted& is_wanted = {},
-                    const std::vector<SlotForm>& beginning = {});
+                    const IsWanted& is_wanted = {}, const std::vector<SlotForm>& beginning = {});
 
 }  // namespace sinew::diagnosis

@@ -14,9 +14,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-// An unlikely cause is named only where no other explains as much: its odds.
-constexpr double kUnlikelyOdds = 2.5e-3;
-
 double log_prior_of(const Candidate& source, bool named) {
   return std::log(kPriorOdds * (named ? 1.0 : kUnnamedOdds) *
                   (source.unlikely ? kUnlikelyOdds : 1.0));
@@ -57,8 +54,11 @@ void add_grid(const Candidate& source, Hypotheses& all) {
     all.list.back().shapes.push_back(static_cast<int>(all.shapes.size()));
     all.shapes.push_back({hypothesis, value, {}, {}});
   }
+  // Tangent and secant together are a parabola.
+  if (source.secant != 0.0)
+    all.shapes[static_cast<std::size_t>(first)].neighbours.push_back(first + 1);
   // Splines are no points of a family that one could stand between.
-  if (source.nonlinear.size() > 0 && source.linear.size() == 1)
+  else if (source.nonlinear.size() > 0 && source.linear.size() == 1)
     link_neighbours(source, first, all.shapes);
 }
 

@@ -49,6 +49,10 @@ const Hypothesis& hypothesis_of(const FoundSlots& found, std::size_t slot) {
       found.search->entries()[static_cast<std::size_t>(found.slots.entries[slot])].hypothesis)];
 }
 
+bool is_told(const FoundSlots& found, std::size_t slot) {
+  return !found.search->credible(found.slots, slot).empty();
+}
+
 void tell_unnamed(const FoundSlots& found, Unexplained& said) {
   double named = 0.0, all = 0.0;
   for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {

@@ -16,6 +16,9 @@ const Hypothesis& hypothesis_of(const FoundSlots& found, std::size_t slot);
 /// no name is among them. Parameters and gains are left open.
 std::vector<NamedCause> name_slots(const FoundSlots& found);
 
+/// Whether nothing in a slot's place is ruled out.
+bool is_told(const FoundSlots& found, std::size_t slot);
+
 /// Slots that are sure and hold no name.
 void tell_unnamed(const FoundSlots& found, Unexplained& said);
 

@@ -15,6 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
+constexpr const char* kPeriodically = "position, periodically";
 constexpr double kRest = 1e-2;  // share of the top speed below which the direction is undecided
 
 ArrayXd direction(const Recording& log, int axis, double soft) {
@@ -69,6 +70,7 @@ Candidate spline_family(Candidate c, const Values& values, double low, double hi
 Candidate changing_in_time(Candidate c, const Values& term, double duration) {
   constexpr int count = 5;
   add_coefficients(c, count);
+  c.of_its_time = true;
   c.columns = [=](const Recording& log, int, const VectorXd&) {
     const VectorXd time = log.time.array() - log.started();
     return MatrixXd(term(log).asDiagonal() * spline_basis(time, 0.0, duration, count));
@@ -135,7 +137,7 @@ Candidate stroke_by_stroke(double rest, int stretches, bool by_direction, int ax
 
 /// Sine and cosine of any period in position, from two turns over the range to what is visible.
 Candidate any_period_in_position(const FlexibleRanges& r, int axis, int channel) {
-  Candidate c = unnamed(CandidateKind::flexible, "position, periodically", axis, channel);
+  Candidate c = unnamed(CandidateKind::flexible, kPeriodically, axis, channel);
   c.name = "any period in position";
   c.nonlinear = {visible_periods(r)};
   add_coefficients(c, 2, OneFor::each_log);
@@ -265,8 +267,10 @@ std::vector<Candidate> flexible_families(const FlexibleRanges& r, int axis, int 
   add("position", false, position, r.low, r.high, 12);
   add("position x direction", true, position, r.low, r.high, 12);
   add("velocity", false, velocity, -r.speed, r.speed, 14);
-  add("time", false, time, 0.0, r.duration, 10);
-  add("time x direction", true, time, 0.0, r.duration, 10);
+  for (const bool by_direction : {false, true}) {
+    add(by_direction ? "time x direction" : "time", by_direction, time, 0.0, r.duration, 10);
+    list.back().of_its_time = true;
+  }
   add("load", false, load, -r.load, r.load, 8);
   add("load x direction", true, load, -r.load, r.load, 8);
   if (!(reach > 0.0 && r.speed > 0.0)) return list;
@@ -278,6 +282,10 @@ std::vector<Candidate> flexible_families(const FlexibleRanges& r, int axis, int 
   list.push_back(any_period_in_position(r, axis, channel));
   list.push_back(any_swing_of_friction(r, soft, axis, channel));
   return list;
+}
+
+bool is_periodic_in_position(const Candidate& c) {
+  return c.depends_on == kPeriodically;
 }
 
 std::vector<Candidate> varying_values(const FlexibleRanges& r, int axis, int channel) {

@@ -25,6 +25,9 @@ struct FlexibleRanges {
 std::vector<Candidate> flexible_families(const FlexibleRanges& ranges, int axis = 0,
                                          int channel = 0);
 
+/// Whether it is a sine of any period in position.
+bool is_periodic_in_position(const Candidate& family);
+
 /// Values of the model that are none: its effort by any law (B-splines in it), and its effort and
 /// what goes with the acceleration by a share that changes over the log (times B-splines in time).
 /// Reads the signal "effort".

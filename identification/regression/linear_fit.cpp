@@ -214,8 +214,8 @@ double deviance(const Model& model, const Weights& weights) {
   return solve(stack(model, weights)).deviance;
 }
 
-bool violates_limits(const Design& design, const Model& model, const LinearFit& fit,
-                     std::size_t term) {
+bool is_beyond_limits(const Design& design, const Model& model, const LinearFit& fit,
+                      std::size_t term) {
   const Term& t = model.terms[term];
   if (t.candidate->kind == CandidateKind::delay) {
     const NonlinearParameter& range = t.candidate->nonlinear.front();
@@ -231,15 +231,20 @@ bool violates_limits(const Design& design, const Model& model, const LinearFit& 
     const double value = fit.coefficients(at);
     if (value < p.low - slack || value > p.high + slack) return true;
   }
-  if (t.candidate->body_within) {
-    const auto n = static_cast<Index>(layout.size());
-    const VectorXd errors = fit.covariance.diagonal().segment(first, n).cwiseMax(0.0).cwiseSqrt();
-    if (!is_body(fit.coefficients.segment(first, n), errors, *t.candidate->body_within))
-      return true;
-  }
   if (!t.candidate->possible) return false;
   const auto wide = static_cast<Index>(layout.size());
   return !t.candidate->possible(fit.coefficients.segment(first, wide), t.nonlinear);
+}
+
+bool violates_limits(const Design& design, const Model& model, const LinearFit& fit,
+                     std::size_t term) {
+  if (is_beyond_limits(design, model, fit, term)) return true;
+  const std::optional<double>& within = model.terms[term].candidate->body_within;
+  if (!within) return false;
+  const auto n = static_cast<Index>(design.coefficients(*model.terms[term].candidate).size());
+  const Index first = first_columns(model)[term];
+  const VectorXd errors = fit.covariance.diagonal().segment(first, n).cwiseMax(0.0).cwiseSqrt();
+  return !is_body(fit.coefficients.segment(first, n), errors, *within);
 }
 
 int library_index(const Design& design, const Term& term) {

@@ -81,8 +81,12 @@ LinearFit solve(const Stack& stack);
 /// What the best fit of a model leaves.
 double deviance(const Model& model, const Weights& weights);
 
-/// True where a linear coefficient lies beyond its limit by more than two standard errors, or a
-/// delay stands at a bound, or no body has the parameters of one.
+/// True where a linear coefficient lies beyond its limit by more than two standard errors, a delay
+/// stands at a bound, or the effect has no such coefficients.
+bool is_beyond_limits(const Design& design, const Model& model, const LinearFit& fit,
+                      std::size_t term);
+
+/// The same, or no body has the parameters of one.
 bool violates_limits(const Design& design, const Model& model, const LinearFit& fit,
                      std::size_t term);
 

@@ -192,7 +192,7 @@ double move_secants(const Design& design, const Weights& weights, Model& model) 
   VectorXd fitted;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     Term& term = model.terms[t];
-    if (!term.candidate->secant || term.deviation >= 0) continue;
+    if (term.candidate->secant == 0.0 || term.deviation >= 0) continue;
     if (fitted.size() == 0) fitted = solve(stack(model, weights)).coefficients;
     const LinearParameter& range = term.candidate->linear.front();
     const double now = std::clamp(fitted(first[t]), range.low, range.high);

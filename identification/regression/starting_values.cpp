@@ -17,6 +17,8 @@ double grid_value(const NonlinearParameter& p, int i) {
 }  // namespace
 
 std::vector<Eigen::VectorXd> starting_values(const Candidate& candidate) {
+  if (candidate.secant != 0.0)
+    return {Eigen::VectorXd(), Eigen::VectorXd::Constant(1, candidate.secant)};
   std::vector<Eigen::VectorXd> values{
       Eigen::VectorXd(static_cast<Eigen::Index>(candidate.nonlinear.size()))};
   for (std::size_t k = 0; k < candidate.nonlinear.size(); ++k) {

@@ -10,7 +10,7 @@
 namespace sinew::diagnosis {
 
 /// The grid over a candidate's nonlinear parameters, the last one varying fastest; one empty vector
-/// where it has none.
+/// where it has none, which is the tangent where there is a secant besides.
 std::vector<Eigen::VectorXd> starting_values(const Candidate& candidate);
 
 }  // namespace sinew::diagnosis

@@ -182,6 +182,8 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   const int axis = static_cast<int>(joint);
   for (auto* shapes : {flexible_families, varying_values, local_decoys})
     for (Candidate& c : shapes(ranges(joint), axis, axis)) {
+      // A ripple of any period has a name there.
+      if (is_periodic_in_position(c) && model_.joints[joint].motor_turn <= 0.0) continue;
       c.place = place(joint);
       take(std::move(c), "");
     }

@@ -15,6 +15,7 @@ using Eigen::VectorXd;
 
 constexpr double kTolerance = 0.1;  // of a torque constant, as data sheets have it
 constexpr double kSmallScale = 1e-4, kSmallTime = 1e-3;  // of the derivatives; 1, s
+constexpr double kFarOffset = 0.1, kFarScale = 0.25;     // of the secants: rad or m, 1
 
 /// Named, limited and told apart as the effect says.
 Candidate of_effect(const std::string& id, const EffectPlace& place, LinearParameter parameter) {
@@ -164,6 +165,14 @@ std::string offset_response(int axis) {
   return "offset_response_" + std::to_string(axis);
 }
 
+std::string far_scale_response(int axis) {
+  return "far_scale_response_" + std::to_string(axis);
+}
+
+std::string far_offset_response(int axis) {
+  return "far_offset_response_" + std::to_string(axis);
+}
+
 std::string mass_matrix_column(int axis) {
   return "mass_matrix_column_" + std::to_string(axis);
 }
@@ -178,7 +187,9 @@ void add_sensor_responses(const EffortModel& effort, int axis, Recording& log) {
     log.signals[name] = (changed_effort(effort, log, axis, change, size) - logged) / size;
   };
   add(offset_response(axis), unit_less(log), kSmallScale);
+  add(far_offset_response(axis), unit_less(log), kFarOffset);
   add(scale_response(axis), less_of(log, axis), kSmallScale);
+  add(far_scale_response(axis), less_of(log, axis), kFarScale);
   add(rate_response(axis), rate_of(log, axis), kSmallTime);
   log.signals[mass_matrix_column(axis)] = mass_column(effort, axis, log);
 }
@@ -201,14 +212,16 @@ Candidate sensor_low_pass_candidate(const EffectPlace& place, const EffortModel&
 
 Candidate sensor_offset_candidate(const EffectPlace& place, const EffortModel& effort,
                                   const std::vector<int>& coupled) {
-  constexpr double most = 0.2;
+  constexpr double most = 2.0 * kFarOffset;
   Candidate c = of_effect("sensor_offset", place,
                           {"zero_offset", place.revolute ? "rad" : "m", -most, most, false, {}});
   c.channels = coupled;
-  c.secant = true;
+  c.secant = kFarOffset;
   c.has_model_form = true;
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd& size) -> MatrixXd {
+    if (channel != axis && size.size() > 0 && size(0) == kFarOffset)
+      return log.signals.at(far_offset_response(axis)).col(channel);
     if (size.size() > 0) return secant(effort, log, axis, channel, unit_less(log), size(0));
     if (channel != axis) return log.signals.at(offset_response(axis)).col(channel);
     return response(effort, log, axis, unit_less(log), kSmallScale);
@@ -218,12 +231,15 @@ Candidate sensor_offset_candidate(const EffectPlace& place, const EffortModel& e
 
 Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& effort,
                                  const std::vector<int>& coupled) {
-  Candidate c = of_effect("sensor_scale", place, {"scale_error", "1", -0.5, 0.5, false, {}});
+  Candidate c = of_effect("sensor_scale", place,
+                          {"scale_error", "1", -2.0 * kFarScale, 2.0 * kFarScale, false, {}});
   c.channels = coupled;
-  c.secant = true;
+  c.secant = kFarScale;
   c.has_model_form = true;
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd& size) -> MatrixXd {
+    if (channel != axis && size.size() > 0 && size(0) == kFarScale)
+      return log.signals.at(far_scale_response(axis)).col(channel);
     if (size.size() > 0) return secant(effort, log, axis, channel, less_of(log, axis), size(0));
     if (channel != axis) return log.signals.at(scale_response(axis)).col(channel);
     return response(effort, log, axis, less_of(log, axis), kSmallScale);

@@ -24,6 +24,9 @@ std::string offset_response(int axis);
 std::string scale_response(int axis);
 std::string rate_response(int axis);
 std::string mass_matrix_column(int axis);
+/// The first two for a change that is not small, per its size.
+std::string far_offset_response(int axis);
+std::string far_scale_response(int axis);
 /// The mass matrix' column of an axis, samples x joints.
 Eigen::MatrixXd mass_column(const EffortModel& effort, int axis, const Recording& log);
 void add_sensor_responses(const EffortModel& effort, int axis, Recording& log);

@@ -67,8 +67,9 @@ void complete_wrist(ObservedSubject& subject) {
   for (int axis = 0; axis < 2; ++axis) {
     const LogScale s = scale_of(problem.training, axis);
     const FlexibleRanges ranges{s.low, s.high, s.speed, 0.0, s.duration};
+    // Friction and play of the wrist itself have no period.
     for (Candidate& c : flexible_families(ranges, axis, 0))
-      subject.add_candidate(common(std::move(c), axis, channels), "");
+      if (c.nonlinear.empty()) subject.add_candidate(common(std::move(c), axis, channels), "");
     // One motor's play, friction or gear shows in its own angle alone.
     for (int channel = 0; channels > 1 && channel < problem.channels; ++channel)
       for (Candidate& c : flexible_families(ranges, axis, channel)) {

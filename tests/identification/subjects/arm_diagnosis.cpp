@@ -113,8 +113,9 @@ TEST_CASE("a first link of other mass and inertia is one cause") {
 }
 
 TEST_CASE("a sensor mounted a few degrees off is no payload") {
-  // At this size its effect is no longer in proportion. Planted defect, seen to fail: the tangent
-  // instead of the secant (kTangentHolds in refine.cpp out of reach).
+  // At this size its effect is no longer in proportion. Planted defects, seen to fail: the tangent
+  // instead of the secant (kTangentHolds in refine.cpp out of reach), and a search that knows the
+  // tangent alone (starting_values.cpp), which told another forearm.
   const Mechanism arm = upper_and_lower_arm();
   const double off = 0.14;
   const auto log = [&](std::uint64_t seed) {
