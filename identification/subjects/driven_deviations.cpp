@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "identification/subjects/driven_subject.h"
+#include "identification/subjects/expected_bodies.h"
 #include "identification/subjects/model_candidates.h"
 #include "symbolic/effects/effects.h"
 

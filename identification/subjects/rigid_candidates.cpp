@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/assemble.h"
+#include "identification/subjects/expected_bodies.h"
 #include "symbolic/dynamics/dynamics_functions.h"
 #include "symbolic/dynamics/runtime_parameters.h"
 #include "symbolic/effects/model_effects.h"
@@ -44,79 +45,7 @@ void describe(const std::string& effect, Group& group) {
   group.limit = e.limit;
 }
 
-/// Before any log was seen a body's mass is known to be within `mass` [kg], and its moments those
-/// of as much mass about `radius` [m] from the origin.
-void expect(double mass, double radius, std::vector<LinearParameter>& parameters) {
-  for (std::size_t k = 0; k < parameters.size(); ++k)
-    parameters[k].spread = mass * (k == 0                     ? 1.0
-                                   : k < kMassAndFirstMoments ? radius
-                                                              : radius * radius);
-}
-
-/// A body's mass is unknown; its moments are those of as much mass about `radius` [m] from the
-/// origin.
-void expect_about(double radius, std::vector<LinearParameter>& parameters) {
-  for (std::size_t k = 1; k < parameters.size(); ++k)
-    parameters[k].times_first = k < kMassAndFirstMoments ? radius : radius * radius;
-}
-
-/// How far from its frame's origin a body's mass is, as a root of the mean square.
-double radius_of(const Body& body) {
-  return std::sqrt(body.centre_of_mass.squaredNorm() + 0.5 * body.inertia.trace() / body.mass);
-}
-
-/// What a change of a link's mass [kg] and of its first moments [kg m] makes of its moments of
-/// inertia about its frame's origin [kg m^2] where it keeps its shape about its centre: to first
-/// order, as the model is extended by it (symbolic/extension). 6 x 4.
-MatrixXd moments_as_drawn(const Body& link) {
-  using Eigen::Matrix3d;
-  const Vector3d& c = link.centre_of_mass;
-  MatrixXd moments(6, kMassAndFirstMoments);
-  const auto set = [&](Index column, const Matrix3d& I) {
-    moments.col(column) << I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2);
-  };
-  const Matrix3d about_origin = c.squaredNorm() * Matrix3d::Identity() - c * c.transpose();
-  set(0, link.inertia / link.mass - about_origin);
-  for (Index k = 0; k < 3; ++k) {
-    const Vector3d e = Vector3d::Unit(k);
-    set(1 + k, 2.0 * c(k) * Matrix3d::Identity() - e * c.transpose() - c * e.transpose());
-  }
-  return moments;
-}
-
-struct MovingBody {
-  std::size_t body = 0;
-  bool leaf = true;  ///< carries no further one
-};
-
-std::vector<MovingBody> moving_bodies(const Mechanism& mechanism) {
-  std::vector<bool> moves, leaf(mechanism.bodies.size(), true);
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const Joint& joint = mechanism.joints[i];
-    const bool with_parent = joint.parent >= 0 && moves[static_cast<std::size_t>(joint.parent)];
-    moves.push_back(joint.type != JointType::fixed || with_parent);
-    if (joint.parent >= 0) leaf[static_cast<std::size_t>(joint.parent)] = false;
-  }
-  std::vector<MovingBody> list;
-  for (std::size_t i = 0; i < leaf.size(); ++i)
-    if (moves[i]) list.push_back({i, leaf[i]});
-  return list;
-}
-
-double moving_mass(const Mechanism& mechanism) {
-  double mass = 0.0;
-  for (const MovingBody& m : moving_bodies(mechanism)) mass += mechanism.bodies[m.body].mass;
-  return mass;
-}
-
 }  // namespace
-
-double reach_of(const Mechanism& mechanism) {
-  double reach = 0.0, centre = 0.0;
-  for (const Joint& joint : mechanism.joints) reach += joint.origin.translation.norm();
-  for (const Body& body : mechanism.bodies) centre = std::max(centre, body.centre_of_mass.norm());
-  return 2.0 * (reach + centre);
-}
 
 RigidColumns::RigidColumns(const Mechanism& mechanism, const std::filesystem::path& runtime)
     : mechanism_(mechanism),

@@ -15,12 +15,6 @@
 
 namespace sinew::diagnosis {
 
-/// Twice what the links can reach [m]: no mass of theirs is farther from its frame.
-double reach_of(const Mechanism& mechanism);
-
-/// Of a body's ten parameters, those without moments of inertia.
-inline constexpr int kMassAndFirstMoments = 4;
-
 /// Inverse dynamics that is linear in mass properties and in gravity.
 class RigidColumns {
  public:
