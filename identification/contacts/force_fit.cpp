@@ -40,6 +40,8 @@ MatrixXd covariance_at(const ForceNoise& noise, const LeftOver& r, Index sample)
   MatrixXd covariance = noise.covariance;
   covariance.diagonal() += (kOwnError * r.residual.row(sample).transpose()).cwiseAbs2();
   covariance.diagonal() += (kFormError * r.explained.row(sample).transpose()).cwiseAbs2();
+  // A motion that is sampled turns a step early or late.
+  covariance.diagonal() += r.within_step.row(sample).transpose().cwiseAbs2();
   covariance.diagonal() += noise.standing.cwiseAbs2().cwiseProduct(
       (1.0 - r.counts.row(sample).array().square()).matrix().transpose());
   return covariance;

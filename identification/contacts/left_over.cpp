@@ -2,6 +2,7 @@
 #include "identification/contacts/left_over.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "identification/contacts/channelwise_fit.h"
@@ -31,12 +32,29 @@ LeftOver empty_recording(const Design& design, std::size_t segment) {
   r.recording = s.recording;
   r.held_out = s.holdout;
   r.time = design.at_instants(static_cast<int>(segment), design.recording(s.recording).time);
-  r.measured = r.residual = r.explained = r.counts = r.position = r.velocity =
+  r.measured = r.residual = r.explained = r.within_step = r.counts = r.position = r.velocity =
       MatrixXd::Zero(s.samples, channels);
   r.rate_hz = s.rate_hz;
+  r.step = design.recording(s.recording).step;
   r.band_hz = s.filter.band_hz;
   r.reach = static_cast<double>(s.filter.half_width) * s.filter.step;
   return r;
+}
+
+/// Whether it is friction of the model: what turns over a way that is fitted.
+bool is_turning(const Term& term) {
+  return term.baseline && term.nonlinear.size() > 0;
+}
+
+/// Change of a signal in a part of the time between its samples, to either side the larger one.
+VectorXd change_within(const VectorXd& x, double part) {
+  VectorXd change = VectorXd::Zero(x.size());
+  for (Index k = 0; k + 1 < x.size(); ++k) {
+    const double one = part * std::abs(x(k + 1) - x(k));
+    change(k) = std::max(change(k), one);
+    change(k + 1) = one;
+  }
+  return change;
 }
 
 }  // namespace
@@ -99,10 +117,13 @@ std::vector<LeftOver> FitInTime::operator()(const std::vector<SetAside>& aside,
   const VectorXd coefficients = channelwise_coefficients(stack(model_, weights), channels);
   std::vector<const BandColumns*> columns;
   for (const Term& term : model_.terms) columns.push_back(&term.columns.get());
-  VectorXd of_causes = coefficients;
+  VectorXd of_causes = coefficients, turning = coefficients;
   const std::vector<Index> first = first_columns(model_);
-  for (std::size_t t = 0; t < model_.terms.size(); ++t)
-    if (model_.terms[t].baseline) of_causes.segment(first[t], first[t + 1] - first[t]).setZero();
+  for (std::size_t t = 0; t < model_.terms.size(); ++t) {
+    const Index wide = first[t + 1] - first[t];
+    if (model_.terms[t].baseline) of_causes.segment(first[t], wide).setZero();
+    if (!is_turning(model_.terms[t])) turning.segment(first[t], wide).setZero();
+  }
   std::vector<LeftOver> result = recordings_;
   for (std::size_t i = 0; i < place_.size(); ++i) {
     const auto& [recording, channel] = place_[i];
@@ -112,6 +133,10 @@ std::vector<LeftOver> FitInTime::operator()(const std::vector<SetAside>& aside,
     result[recording].residual.col(channel) = rest;
     const VectorXd explained = predict(columns, of_causes, i);
     if (explained.size() > 0) result[recording].explained.col(channel) = explained;
+    const VectorXd friction = predict(columns, turning, i);
+    const LeftOver& r = result[recording];
+    if (friction.size() > 0)
+      result[recording].within_step.col(channel) = change_within(friction, r.step * r.rate_hz);
   }
   return result;
 }

@@ -20,8 +20,10 @@ struct LeftOver {
   Eigen::MatrixXd measured;            ///< samples x channels, N m or N
   Eigen::MatrixXd residual;            ///< the same: measured less what the model says
   Eigen::MatrixXd explained;           ///< the same: what the named causes of the model make of it
+  Eigen::MatrixXd within_step;         ///< the same: how far friction turns in one step of the log
   Eigen::MatrixXd counts;              ///< the same: 1, and down to 0 where a joint stands still
   Eigen::MatrixXd position, velocity;  ///< of the channels' coordinates: rad or m, and per s
+  double step = 0.0;                   ///< s: of the log
   double rate_hz = 0.0;                ///< of the samples
   double band_hz = 0.0;                ///< what is left over lies below
   double reach = 0.0;                  ///< s: over so much to each side the filter spreads an event
