@@ -24,6 +24,8 @@ def is_met(wanted, line):
         return False
     if wanted == "right":
         return line["right"]
+    if wanted == "surplus":
+        return line["false_names"] == 1 and len(line["sets"]) == len(line["seal"]["hidden"]) + 1
     if wanted == "silent":
         return not line["detected"] and not line["alarms"] and not line["adopted"]
     if wanted == "structure":

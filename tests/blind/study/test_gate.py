@@ -37,6 +37,13 @@ class Gates(unittest.TestCase):
         for what in ("detected", "alarms", "adopted"):
             self.assertEqual(len(gate.failures(silent, {**quiet, what: 1})), 1)
 
+    def test_one_name_too_many_is_no_two(self):
+        surplus = {"cause": "stribeck", "wanted": "surplus"}
+        told = {"sets": [["stribeck@joint j2"], ["delay@joint j2"]], "right": False, "false_names": 1}
+        self.assertEqual(gate.failures(surplus, self.line(**told)), [])
+        for changes in ({"false_names": 2}, {"sets": [["delay@joint j2"]]}):
+            self.assertEqual(len(gate.failures(surplus, self.line(**{**told, **changes}))), 1)
+
     def test_an_impossible_body_and_a_gain_that_the_c_has_not_fail(self):
         for physical_line in ({"bodies": False}, {"mass_matrix": False},
                               {"gain": {"told": 0.9, "recomputed": 0.8}}, {"not_judged": "KeyError"}):

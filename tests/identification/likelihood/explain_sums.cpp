@@ -111,7 +111,8 @@ TEST_CASE("a cause gains nothing on held-out sums in which it is not") {
     errors.tell(1, explained.verdict);
     return explained.verdict.causes.front().confirmed.share;
   };
-  CHECK(judged_by(drive.logs[3]) > 0.1);
+  // Of rows of all frequencies alike.
+  CHECK(judged_by(drive.logs[3]) > 0.05);
   Recording other = drive.logs[3];
   const Eigen::VectorXd extra = other.qd.col(0).cwiseAbs();
   const double sign = explained.verdict.causes.front().parameters.front().value;

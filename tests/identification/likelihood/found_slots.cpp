@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "identification/likelihood/fitted_baseline.h"
+#include "identification/likelihood/form_errors_of_found.h"
 #include "tests/identification/likelihood/drive_stretches.h"
 
 namespace {
@@ -48,6 +49,35 @@ TEST_CASE("rows count for less where what was found is large", "[slow]") {
   // Found are a few times the motion's frequencies; towards the band's end is next to nothing.
   CHECK(share.minCoeff() < 0.5);
   CHECK(share.tail(share.size() / 5).mean() > 0.9);
+}
+
+// Seen red with an error of form for every name, and with what a law says beyond nothing.
+TEST_CASE("what has the model's form is off by none, nor what the model's values can say",
+          "[slow]") {
+  const DriveSearch s("viscous asymmetry", 20.0, 41);
+  REQUIRE_FALSE(s.found->slots.entries.empty());
+  const Model& base = s.found->all.parts.base;
+  const Whitening noise = whitening_beside(s.design, s.found->model,
+                                           immaterial_variance(s.design, s.drive.settings, base));
+  const std::size_t first = base.terms.size();
+  const auto least_share = [&](const Model& found, const Model& free) {
+    return with_form_errors(noise, found, first, free).noise_share.front().minCoeff();
+  };
+  CHECK(least_share(s.found->model, base) < 0.5);
+  Model free = base;
+  free.terms.insert(free.terms.end(), s.found->model.terms.begin() + static_cast<long>(first),
+                    s.found->model.terms.end());
+  CHECK(least_share(s.found->model, free) > 0.999);
+  std::vector<Candidate> exact;
+  exact.reserve(s.found->model.terms.size());
+  Model mechanical = s.found->model;
+  for (std::size_t t = first; t < mechanical.terms.size(); ++t) {
+    exact.push_back(*mechanical.terms[t].candidate);
+    exact.back().has_model_form = true;
+    mechanical.terms[t].candidate = &exact.back();
+  }
+  const Whitening alone = with_form_errors(noise, mechanical, first, base);
+  CHECK(alone.training.front() == noise.training.front());
 }
 
 // Seen red with a search that does not look at it.
