@@ -267,20 +267,21 @@ bool SlotSearch::are_named(const Slots& slots) const {
 }
 
 /// Of the names that the data do not tell apart, a value of the model's own: it adds nothing to the
-/// model.
+/// model. A rotor before a body's mass, which it would make impossible where it is none.
 std::optional<Rival> SlotSearch::name_of(const std::vector<Rival>& set) const {
   const auto& list = all_.list;
-  const auto hypothesis = [&](const Rival& r) -> const Hypothesis& {
-    return list[static_cast<std::size_t>(r.hypothesis)];
+  const auto rank = [&](const Rival& r) {
+    const Hypothesis& h = list[static_cast<std::size_t>(r.hypothesis)];
+    return h.candidate >= 0 ? 2 : h.source->of_body ? 1 : 0;
   };
-  const auto first =
-      std::find_if(set.begin(), set.end(), [&](const Rival& r) { return hypothesis(r).named; });
-  if (first == set.end()) return std::nullopt;
-  const double least = first->log_odds + std::log(1.0 - kCredible);
-  const auto own = std::find_if(first, set.end(), [&](const Rival& r) {
-    return hypothesis(r).candidate < 0 && r.log_odds >= least;
-  });
-  return own != set.end() ? *own : *first;
+  std::optional<Rival> name;
+  double least = 0.0;
+  for (const Rival& r : set) {
+    if (!list[static_cast<std::size_t>(r.hypothesis)].named) continue;
+    if (!name) least = r.log_odds + std::log(1.0 - kCredible);
+    if (!name || (r.log_odds >= least && rank(r) < rank(*name))) name = r;
+  }
+  return name;
 }
 
 Slots SlotSearch::with_names(Slots slots) const {

@@ -165,6 +165,7 @@ void DrivenSubject::add_carried_deviations() {
       parameter.shares = {{static_cast<int>(t), static_cast<int>(k), 1.0}};
       deviation.parameters.push_back(std::move(parameter));
     }
+    deviation.of_body = c.of_body;
     problem_.deviations.push_back(std::move(deviation));
     deviations_.push_back(baseline_[t]);
   }

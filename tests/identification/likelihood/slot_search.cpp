@@ -88,6 +88,20 @@ TEST_CASE("of names that are not told apart the model's own value is told") {
   CHECK(found_of(search.with_names(found)) == std::vector<int>{1});
 }
 
+// Where logs tell a combination only: seen red where the first of two that are as good is told.
+TEST_CASE("of a rotor and a body that are not told apart the rotor is told") {
+  MadeUp made({-1, -2});
+  made.sources[0].of_body = true;
+  const MatrixXd x = MatrixXd::Constant(1, 2, 500.0);
+  const Moments m = made.moments(x, 0.3 * x.col(0));
+  const SmallErrors errors(m, made.all, 0.0);
+  const SlotSearch search(made.all, errors, 8, std::vector<bool>(2, false));
+  const Slots found = search.from_rivals(search.find());
+  REQUIRE(found.entries.size() == 1);
+  CHECK(search.credible(found, 0).size() == 2);
+  CHECK(found_of(search.with_names(found)) == std::vector<int>{1});
+}
+
 // What a link carries and what its drawing has wrong. Seen red where each is a cause by itself.
 TEST_CASE("of two hypotheses of one body one is told") {
   MadeUp made({0, 1, 2});
