@@ -12,7 +12,8 @@ inline constexpr double kPriorOdds = 1e-5;
 inline constexpr double kUnnamedOdds = 0.3;
 
 /// Odds of a cause that is unlikely by itself, as a share of another one's: named only where no
-/// other explains as much (a link that is not as drawn, where a rotor or a payload may be).
+/// other explains as much (a link that is not as drawn, where a rotor or a payload may be). No
+/// command calibrates it yet.
 inline constexpr double kUnlikelyOdds = 2.5e-3;
 
 /// Sizes of a cause, as shares of the rms of what was measured: from what is worth telling to what

@@ -2,6 +2,7 @@
 #include "identification/adoption/held_out_judgement.h"
 
 #include <catch2/catch.hpp>
+#include <optional>
 
 using namespace sinew::diagnosis;
 
@@ -24,4 +25,31 @@ TEST_CASE("a name stands where its gain on held-out logs is surely one") {
   CHECK(verdict.causes[1].members.front().name == "sure to one side");
   REQUIRE(verdict.ruled_out.size() == 2);
   CHECK(verdict.ruled_out.front().reason == "no sure gain on the held-out logs");
+}
+
+// Seen red with structure that is told whatever the held-out logs say, and with such of one log's
+// time taken back.
+TEST_CASE(
+    "structure without a name stands unless held-out logs could have confirmed it and did not") {
+  const auto on = [](const char* what, std::optional<Gain> confirmed) {
+    Dependence d;
+    d.on = what;
+    d.confirmed = confirmed;
+    return d;
+  };
+  Verdict verdict;
+  verdict.unexplained.none_of_the_known = true;
+  verdict.unexplained.named_share = 0.3;
+  verdict.unexplained.depends_on = {on("position", Gain{0.01, -0.02, 0.04}),
+                                    on("velocity", Gain{0.2, 0.1, 0.3}), on("time", std::nullopt)};
+  confirm_on_held_out(verdict);
+  REQUIRE(verdict.unexplained.depends_on.size() == 2);
+  CHECK(verdict.unexplained.depends_on[0].on == "velocity");
+  CHECK(verdict.unexplained.depends_on[1].on == "time");
+  CHECK(verdict.unexplained.none_of_the_known);
+  verdict.unexplained.depends_on = {on("position", Gain{0.01, -0.02, 0.04})};
+  confirm_on_held_out(verdict);
+  CHECK(verdict.unexplained.depends_on.empty());
+  CHECK_FALSE(verdict.unexplained.none_of_the_known);
+  CHECK(verdict.unexplained.named_share == 1.0);
 }

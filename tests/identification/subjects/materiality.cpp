@@ -40,8 +40,8 @@ diagnosis::Findings found_with(double lacking) {
 }  // namespace
 
 TEST_CASE("a log of the model itself without noise leaves nothing over that is worth naming") {
-  // Planted defects, seen to fail: with immaterial_error() 0 the first is told, and adopted, as gear
-  // elasticity, the second as structure; where friction may not turn a step of the log late
+  // Planted defects, seen to fail: with immaterial_error() 0 all that is left is noise, and nobody
+  // says that it is too little to matter; where friction may not turn a step of the log late
   // (within_step in force_fit.cpp) one reversal is a push.
   for (const double lacking : {0.0, 0.5}) {
     const diagnosis::Findings found = found_with(lacking);
