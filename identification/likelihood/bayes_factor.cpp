@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/likelihood/bayes_factor.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -91,10 +92,18 @@ double log_probability_between(double low, double high, double mean, double devi
 }
 
 double most_by_fit(const ConditionalMoments& m) {
-  if (m.target.size() == 1) return 0.5 * m.target(0) * m.target(0) / m.gram(0, 0);
-  if (m.target.size() > 2) return kInfinity;
-  const double a = m.gram(0, 0), b = m.gram(0, 1), c = m.gram(1, 1), determinant = a * c - b * b;
-  const double x = m.target(0), y = m.target(1);
+  bool limited = false;
+  for (Index i = 0; i < m.low.size(); ++i) limited = limited || is_limited(m.low(i), m.high(i));
+  // Between limits a prior may be as narrow as they are.
+  const double least = limited ? 0.0 : 1.0 / (kLargestSize * kLargestSize);
+  if (m.target.size() == 1) return 0.5 * m.target(0) * m.target(0) / (m.gram(0, 0) + least);
+  if (m.target.size() > 2) {
+    if (limited) return kInfinity;
+    const MatrixXd gram = m.gram + least * MatrixXd::Identity(m.gram.rows(), m.gram.cols());
+    return 0.5 * Eigen::LLT<MatrixXd>(gram).matrixL().solve(m.target).squaredNorm();
+  }
+  const double a = m.gram(0, 0) + least, b = m.gram(0, 1), c = m.gram(1, 1) + least;
+  const double x = m.target(0), y = m.target(1), determinant = a * c - b * b;
   constexpr double regular = 1e-9;
   return determinant > regular * a * c
              ? 0.5 * (c * x * x - 2.0 * b * x * y + a * y * y) / determinant

@@ -23,8 +23,8 @@ struct BayesFactor {
 /// standard deviation is spread evenly (in its logarithm) from kSmallestSize to kLargestSize.
 BayesFactor bayes_factor_of(const ConditionalMoments& m);
 
-/// What its logarithm is at most, whatever the prior: that of the best fit. Infinite for more than
-/// two columns, where that is no less work than the factor.
+/// What its logarithm is at most: that of the best fit, as near to 0 as the largest size makes it.
+/// Infinite for more than two columns between limits.
 double most_by_fit(const ConditionalMoments& m);
 
 /// log P(low < x < high) of a normal x; exact far into both tails.

@@ -40,7 +40,11 @@ MatrixXd lower_times(const MatrixXd& lower, const MatrixXd& right) {
 SlotModel::SlotModel(const Hypotheses& all, const SmallErrors& errors,
                      const std::vector<bool>& banned)
     : all_(all), errors_(errors), entries_(make_entries(all, errors, banned)) {
-  for (const Entry& e : entries_) regions_.push_back(errors.moments().regions().of(e.columns));
+  first_gram_.push_back(0);
+  for (const Entry& e : entries_) {
+    regions_.push_back(errors.moments().regions().of(e.columns));
+    first_gram_.push_back(first_gram_.back() + e.alone.gram.size());
+  }
   std::map<std::pair<std::string, std::string>, int> known;
   // What a link carries and what its drawing has wrong are the same columns: only their sum shows.
   for (const Hypothesis& h : all.list)
@@ -119,6 +123,7 @@ SlotModel::Fit SlotModel::fit(const Slots& slots, int region) const {
   f.given_back.resize(0, cross.cols());
   f.target.noalias() -= cross.transpose() * f.coefficients;
   f.taken = std::make_shared<const MatrixXd>(lower_times(f.root, cross));
+  f.grams = std::make_shared<const VectorXd>(conditional_grams(region, *f.taken));
   f.cross = std::make_shared<const MatrixXd>(std::move(cross));
   return f;
 }
@@ -143,6 +148,7 @@ SlotModel::Fit SlotModel::fit_without(const Fit& whole, const Slots& slots,
   f.region = whole.region;
   f.cross = whole.cross;
   f.taken = whole.taken;
+  f.grams = whole.grams;
   f.given_back.noalias() = alone.transpose() * *whole.taken;
   f.target = whole.target + f.given_back.transpose() * size;
   f.coefficients = (whole.coefficients - of_others * size)(kept);
@@ -155,44 +161,77 @@ SlotModel::Fit SlotModel::fit_without(const Fit& whole, const Slots& slots,
   return f;
 }
 
+VectorXd SlotModel::conditional_grams(int region, const MatrixXd& taken) const {
+  VectorXd grams(first_gram_.back());
+  inner_loop(entries_.size(), [&](std::size_t i) {
+    if (!meets(static_cast<int>(i), region)) return;
+    const Entry& e = entries_[i];
+    const auto wide = static_cast<Index>(e.columns.size());
+    const MatrixXd own =
+        taken(Eigen::all, errors_.moments().regions().places(region, e.columns));
+    MatrixXd::Map(grams.data() + first_gram_[i], wide, wide).noalias() =
+        e.alone.gram - own.transpose() * own;
+  });
+  return grams;
+}
+
 /// An entry given the model, which is fitted in a region that the entry meets.
 ConditionalMoments SlotModel::conditional(int entry, const Fit& given) const {
   const Entry& e = entries_[static_cast<std::size_t>(entry)];
   const std::vector<Index> at = errors_.moments().regions().places(given.region, e.columns);
-  ConditionalMoments m = e.alone;
-  m.target = given.target(at);
-  const MatrixXd taken = (*given.taken)(Eigen::all, at), back = given.given_back(Eigen::all, at);
-  m.gram.noalias() -= taken.transpose() * taken;
+  const auto wide = static_cast<Index>(at.size());
+  ConditionalMoments m{
+      MatrixXd::Map(given.grams->data() + first_gram_[static_cast<std::size_t>(entry)], wide, wide),
+      given.target(at), e.alone.low, e.alone.high};
+  if (given.given_back.rows() == 0) return m;
+  const MatrixXd back = given.given_back(Eigen::all, at);
   m.gram.noalias() += back.transpose() * back;
   return m;
 }
 
-BayesFactor SlotModel::factor(int entry, const Fit& given, double least) const {
-  const Entry& e = entries_[static_cast<std::size_t>(entry)];
-  const ConditionalMoments m = conditional(entry, given);
-  // What the model spans already has nothing to say for itself.
+/// What the model spans already has nothing to say for itself.
+bool SlotModel::has_something_to_say(const ConditionalMoments& m, int entry) const {
   constexpr double kExcited = 1e-5;
-  if (m.gram.diagonal().maxCoeff() < kExcited * e.alone.gram.diagonal().maxCoeff())
-    return {kNoOdds, 0.0};
-  const double most = most_by_fit(m);
-  if (most + e.log_prior < least) return {most, kSmallestSize * kSmallestSize};
-  return bayes_factor_of(m);
+  const MatrixXd& alone = entries_[static_cast<std::size_t>(entry)].alone.gram;
+  return m.gram.diagonal().maxCoeff() >= kExcited * alone.diagonal().maxCoeff();
 }
 
-/// Of the entries whose columns a fit's region has.
-std::vector<double> SlotModel::log_odds(const Slots& given, const Fit& f, bool names_alone,
-                                        double least) const {
+BayesFactor SlotModel::factor(int entry, const Fit& given) const {
+  const ConditionalMoments m = conditional(entry, given);
+  return has_something_to_say(m, entry) ? bayes_factor_of(m) : BayesFactor{kNoOdds, 0.0};
+}
+
+template <class Odds>
+std::vector<double> SlotModel::of_entries(const Slots& given, const Fit& f, bool names_alone,
+                                          const Odds& odds) const {
   std::vector<bool> taken(causes_.size(), false);  // one cause is named once, whatever its forms
   for (const int g : given.entries) taken[static_cast<std::size_t>(cause_of(g))] = true;
-  std::vector<double> odds(entries_.size(), kNoOdds);
+  std::vector<double> all(entries_.size(), kNoOdds);
   inner_loop(entries_.size(), [&](std::size_t i) {
-    const Entry& e = entries_[i];
     const auto entry = static_cast<int>(i);
     if (!taken[static_cast<std::size_t>(cause_of(entry))] && meets(entry, f.region) &&
         (hypothesis_of(entry).named || !names_alone))
-      odds[i] = factor(entry, f, least).logarithm + e.log_prior;
+      all[i] = odds(entry) + entries_[i].log_prior;
   });
-  return odds;
+  return all;
+}
+
+std::vector<double> SlotModel::log_odds(const Slots& given, const Fit& f, bool names_alone) const {
+  return of_entries(given, f, names_alone, [&](int entry) { return factor(entry, f).logarithm; });
+}
+
+std::vector<EntryOdds> SlotModel::odds_at_most(const Slots& given, const Fit& f,
+                                               bool names_alone) const {
+  const std::vector<double> most = of_entries(given, f, names_alone, [&](int entry) {
+    const ConditionalMoments m = conditional(entry, f);
+    return has_something_to_say(m, entry) ? most_by_fit(m) : kNoOdds;
+  });
+  std::vector<EntryOdds> above;
+  for (std::size_t i = 0; i < most.size(); ++i)
+    if (most[i] > 0.0) above.push_back({static_cast<int>(i), most[i]});
+  std::stable_sort(above.begin(), above.end(),
+                   [](const EntryOdds& a, const EntryOdds& b) { return a.log_odds > b.log_odds; });
+  return above;
 }
 
 bool SlotModel::is_possible(int entry, const VectorXd& coefficients, const VectorXd& errors) const {

@@ -22,6 +22,12 @@ struct Slots {
   double log_posterior = 0.0;     ///< log odds against the model without any
 };
 
+/// An entry on top of a model.
+struct EntryOdds {
+  int entry = 0;
+  double log_odds = 0.0;
+};
+
 /// Log odds of what is not to be taken.
 inline constexpr double kNoOdds = -std::numeric_limits<double>::infinity();
 
@@ -45,6 +51,9 @@ class SlotModel {
     Eigen::MatrixXd given_back;          ///< by a slot that is left out; no rows where none is
     std::vector<Eigen::Index> of_cross;  ///< of each coefficient its row there
     Eigen::VectorXd target;              ///< products of the columns with what is left over
+    /// Of every entry that meets the region what is left of its Gram matrix before anything is
+    /// given back, one after the other.
+    std::shared_ptr<const Eigen::VectorXd> grams;
   };
 
   /// `banned`: hypotheses that are not to be taken.
@@ -60,11 +69,12 @@ class SlotModel {
   /// The fit of all slots but one from that of all of them: far less work than from nothing.
   Fit fit_without(const Fit& whole, const Slots& slots, std::size_t slot) const;
   /// Of an entry on top of a model that is fitted in a region which has its columns.
-  BayesFactor factor(int entry, const Fit& given, double least = kNoOdds) const;
+  BayesFactor factor(int entry, const Fit& given) const;
   /// Of every entry whose columns the fit's region has, kNoOdds for the others and for other forms
-  /// of what the slots hold. Those below `least` are bounds.
-  std::vector<double> log_odds(const Slots& given, const Fit& f, bool names_alone,
-                               double least = kNoOdds) const;
+  /// of what the slots hold.
+  std::vector<double> log_odds(const Slots& given, const Fit& f, bool names_alone) const;
+  /// What they are at most, of those that can be above 0, the largest first: far less work.
+  std::vector<EntryOdds> odds_at_most(const Slots& given, const Fit& f, bool names_alone) const;
   /// Whether all coefficients are within their limits.
   bool is_possible(const Slots& slots) const;
   /// The same with one more entry of that prior variance, from the fit without it.
@@ -80,6 +90,12 @@ class SlotModel {
   /// and again.
   const Eigen::MatrixXd& products(int region, int entry) const;
   ConditionalMoments conditional(int entry, const Fit& given) const;
+  Eigen::VectorXd conditional_grams(int region, const Eigen::MatrixXd& taken) const;
+  bool has_something_to_say(const ConditionalMoments& m, int entry) const;
+  /// By entry, `odds` of those that log_odds() is about.
+  template <class Odds>
+  std::vector<double> of_entries(const Slots& given, const Fit& f, bool names_alone,
+                                 const Odds& odds) const;
   Eigen::VectorXd precisions(const Slots& slots) const;
   bool meets(int entry, int region) const;
   const std::vector<Eigen::Index>& columns_of(int entry) const {
@@ -98,6 +114,7 @@ class SlotModel {
   std::vector<Entry> entries_;
   std::vector<int> regions_;  ///< of every entry
   std::vector<int> causes_;   ///< of every hypothesis: one number for all forms of a cause
+  std::vector<Eigen::Index> first_gram_;  ///< of every entry: where its matrix begins in Fit::grams
   mutable std::shared_mutex guard_;
   /// By region and entry.
   mutable std::map<std::pair<int, int>, std::unique_ptr<Eigen::MatrixXd>> products_;

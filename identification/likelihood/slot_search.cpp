@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <queue>
 #include <set>
 
 #include "identification/likelihood/decision_constants.h"
@@ -36,6 +37,13 @@ Slots with(Slots slots, int entry, double variance) {
   return slots;
 }
 
+bool have_same_entries(const Slots& a, const Slots& b) {
+  std::vector<int> x = a.entries, y = b.entries;
+  std::sort(x.begin(), x.end());
+  std::sort(y.begin(), y.end());
+  return x == y;
+}
+
 double log_sum(double a, double b) {
   const double high = std::max(a, b);
   return high == kNoOdds ? kNoOdds : high + std::log(std::exp(a - high) + std::exp(b - high));
@@ -53,22 +61,31 @@ Slots SlotSearch::sized(const Slots& given, const SlotModel::Fit& f, int entry) 
   return with(given, entry, model_.factor(entry, f).variance);
 }
 
-/// With the entry of the largest odds above 0 that leaves every slot within its limits.
+/// With the entry of the largest odds above 0 that leaves every slot within its limits. Odds are
+/// worked out as long as one of those left could have larger ones.
 std::optional<Slots> SlotSearch::with_best(const Slots& given, const SlotModel::Fit& f) const {
-  constexpr std::size_t most_tried = 40;
-  const std::vector<double> odds = model_.log_odds(given, f, names_alone_, 0.0);
-  std::vector<int> order;
-  for (std::size_t e = 0; e < odds.size(); ++e)
-    if (odds[e] > 0.0) order.push_back(static_cast<int>(e));
-  const auto by_odds = [&](int a, int b) {
-    return odds[static_cast<std::size_t>(a)] > odds[static_cast<std::size_t>(b)];
+  constexpr int most_tried = 40;
+  struct Known : EntryOdds {
+    double variance;
+    bool operator<(const Known& other) const {
+      return log_odds != other.log_odds ? log_odds < other.log_odds : entry > other.entry;
+    }
   };
-  const std::size_t count = std::min(most_tried, order.size());
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-                    by_odds);
-  for (std::size_t k = 0; k < count; ++k) {
-    Slots more = sized(given, f, order[k]);
-    if (model_.stays_possible(given, f, order[k], more.variances.back())) return more;
+  const std::vector<EntryOdds> bounds = model_.odds_at_most(given, f, names_alone_);
+  std::priority_queue<Known> known;
+  auto next = bounds.begin();
+  for (int tried = 0; tried < most_tried; ++tried) {
+    for (; next != bounds.end() && (known.empty() || next->log_odds >= known.top().log_odds);
+         ++next) {
+      const BayesFactor factor = model_.factor(next->entry, f);
+      const double odds = factor.logarithm + log_prior(next->entry);
+      if (odds > 0.0) known.push({{next->entry, odds}, factor.variance});
+    }
+    if (known.empty()) return std::nullopt;
+    const Known best = known.top();
+    known.pop();
+    if (model_.stays_possible(given, f, best.entry, best.variance))
+      return with(given, best.entry, best.variance);
   }
   return std::nullopt;
 }
@@ -108,18 +125,19 @@ bool SlotSearch::polish(Slots& slots, int region) const {
   return changed;
 }
 
-void SlotSearch::settle(Slots& slots, int region) const {
-  for (int sweep = 0; sweep < kMostSweeps && polish(slots, region); ++sweep) {
-  }
+void SlotSearch::settle(Slots& slots, int region, const Slots* known) const {
+  for (int sweep = 0; sweep < kMostSweeps && polish(slots, region); ++sweep)
+    if (known && have_same_entries(slots, *known)) return;
 }
 
 /// By a region's entries. Slots that meet none of what was added stay as they are, and those that
 /// act everywhere wait until all regions are settled.
-Slots SlotSearch::grown(Slots slots, int region) const {
+Slots SlotSearch::grown(Slots slots, int region, const Slots* known) const {
   while (slots.entries.size() < most_) {
     std::optional<Slots> more = with_best(slots, model_.fit(slots, region));
     if (!more) break;
-    settle(*more, model_.region_of(more->entries.back()));
+    settle(*more, model_.region_of(more->entries.back()), known);
+    if (known && have_same_entries(*more, *known)) return *known;
     const bool larger = more->entries.size() > slots.entries.size();
     slots = std::move(*more);
     if (!larger) break;
@@ -193,7 +211,7 @@ Slots SlotSearch::from_rivals(const Slots& found, int region) const {
   std::vector<Slots> ends(starts.size());
   tbb::parallel_for(0, static_cast<int>(starts.size()), [&](int i) {
     const auto k = static_cast<std::size_t>(i);
-    ends[k] = model_.is_possible(starts[k]) ? grown(starts[k], region) : Slots{};
+    ends[k] = model_.is_possible(starts[k]) ? grown(starts[k], region, &found) : Slots{};
   });
   Slots best = found;
   for (const Slots& end : ends)

@@ -55,16 +55,20 @@ class SlotSearch {
   }
 
  private:
+  double log_prior(int entry) const {
+    return entries()[static_cast<std::size_t>(entry)].log_prior;
+  }
   Slots sized(const Slots& given, const SlotModel::Fit& f, int entry) const;
   std::optional<Slots> with_best(const Slots& given, const SlotModel::Fit& f) const;
   std::vector<Rival> rivals(const Slots& others, const SlotModel::Fit& f) const;
   std::vector<Rival> ranked(const std::vector<double>& odds) const;
   std::optional<Rival> name_of(const std::vector<Rival>& set) const;
   bool polish(Slots& slots, int region) const;
-  void settle(Slots& slots, int region) const;
+  /// `known`: an end of the search; slots that arrive there need no further look.
+  void settle(Slots& slots, int region, const Slots* known = nullptr) const;
   /// With every value of the model's own that has one parameter, of a region or of all.
   Slots with_own_values(Slots slots, std::optional<int> region) const;
-  Slots grown(Slots slots, int region) const;
+  Slots grown(Slots slots, int region, const Slots* known = nullptr) const;
   std::vector<Slots> other_starts(const Slots& found, int region) const;
   Slots from_rivals(const Slots& found, int region) const;
 
