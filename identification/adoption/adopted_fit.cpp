@@ -52,14 +52,6 @@ std::optional<Impossible> first_impossible(const Design& design, const Selection
   return std::nullopt;
 }
 
-void remove_untold_bodies(const Design& design, const Verdict& verdict, Model& model) {
-  for (std::size_t t = model.terms.size(); t-- > 0;) {
-    const Term& term = model.terms[t];
-    if (term.baseline || !is_of_body(term)) continue;
-    if (cause_of(verdict, library_index(design, term)) < 0) remove_term(design, t, model);
-  }
-}
-
 bool acts_on(const Design& design, const Term& term, int channel) {
   for (std::size_t s = 0; s < term.columns.size(); ++s)
     if (design.segments()[s].channel == channel && term.columns[s].cols() > 0) return true;
@@ -88,7 +80,6 @@ int cause_of(const Verdict& verdict, int candidate) {
 AdoptedFit possible_fit(const Design& design, const Explanation& explanation) {
   AdoptedFit fit{design.problem().deviations.empty() ? explanation.selection : explanation.adopted,
                  {}};
-  remove_untold_bodies(design, explanation.verdict, fit.selection.model);
   while (const auto first = first_impossible(design, fit.selection)) {
     Model& model = fit.selection.model;
     fit.refused.push_back(called(model.terms[first->term]) + " cannot be adopted: " + first->why);

@@ -88,11 +88,13 @@ class Run {
     Explanation explanation = explain(subject_.problem(), request_.settings);
     std::optional<NamedCause> force;
     if (!request_.settings.first_look) {
-      force = find_undisturbed(
-          [&](const DrivenSubject& rest, const IsWanted& is_wanted) {
-            return explain(rest.problem(), request_.settings, is_wanted, explanation.forms);
-          },
-          request_.settings, subject_, explanation);
+      const auto by = [&](const auto& explained) {
+        return [&](const DrivenSubject& rest, const std::vector<SlotForm>& beginning) {
+          return explained(rest.problem(), request_.settings, beginning);
+        };
+      };
+      force = find_undisturbed({by(explain_roughly), by(explain)}, request_.settings, subject_,
+                               explanation);
       look_at_standstills(explanation);
     }
     merge_members(explanation.verdict);

@@ -48,12 +48,6 @@ void merge_members(Verdict& verdict) {
 
 namespace {
 
-/// The lower end of the interval is 1.96 standard errors below the gain. To one side, 1.6 are sure.
-bool is_sure(const Gain& gain) {
-  constexpr double of_interval = 1.96, enough = 1.6;
-  return gain.share * of_interval > enough * (gain.share - gain.low) && gain.share > 0.0;
-}
-
 /// Structure that the held-out logs could have confirmed, and did not.
 void drop_unconfirmed(Unexplained& rest) {
   const bool had = !rest.depends_on.empty();

@@ -75,49 +75,51 @@ std::vector<std::string> recording_names(const Problem& problem) {
   return names;
 }
 
-constexpr int kMostSearches = 2;
+/// What is disturbed as far as the explanation of the whole logs shows it.
+Disturbances seen_by(const Problem& problem, const Settings& settings, const Model& found,
+                     const FitInTime& whole) {
+  const Design design = evenly_banded(problem, settings);
+  // What no known causes together explain is plainest; few of them may hide less of it.
+  Disturbances seen = find_disturbances(FitInTime(design, saturated(problem, found)));
+  return seen.in_training() ? seen : find_disturbances(whole);
+}
+
+DrivenSubject without(const DrivenSubject& subject, const Disturbances& seen) {
+  DrivenSubject rest = subject;
+  rest.leave_out(stretches_in_time(seen));
+  return rest;
+}
 
 }  // namespace
 
-std::optional<NamedCause> find_undisturbed(const Search& search, const Settings& settings,
+std::optional<NamedCause> find_undisturbed(const Searches& searches, const Settings& settings,
                                            DrivenSubject& subject, Explanation& explanation) {
   if (explanation.selection.model.terms.empty()) return std::nullopt;
-  const Model found = with_lines(subject, explanation.selection.model);
   const Problem& problem = subject.problem();
-  // A design holds thinned copies of the logs: none is kept while the search has its own.
-  std::optional<Design> design(evenly_banded(problem, settings));
-  const FitInTime whole(*design, with_everything(subject, explanation));
-  // What no known causes together explain is plainest; few of them may hide less of it.
-  Disturbances seen = find_disturbances(FitInTime(*design, saturated(problem, found)));
-  design.reset();
-  if (!seen.in_training()) seen = find_disturbances(whole);
-  for (int left = kMostSearches; seen.in_training() && left > 0; --left) {
-    DrivenSubject rest = subject;
-    rest.leave_out(stretches_in_time(seen));
-    std::optional<FitInTime> outside;
-    std::optional<Disturbances> plainer;
-    Explanation other = search(rest, [&](const Explanation& e) {
-      outside.emplace(evenly_banded(problem, settings), with_everything(rest, e));
-      if (left == 1) return true;
-      // With causes that no push has spoilt it is plainer what is disturbed, in held-out logs too.
-      Disturbances again = find_disturbances(*outside);
-      if (again.in_training() && differ(again, seen)) plainer = std::move(again);
-      return !plainer;
-    });
-    if (plainer) {
-      seen = *std::move(plainer);
-      continue;
-    }
-    leave_over(*outside, seen);
-    std::optional<NamedCause> force =
-        find_unlogged_force({whole, numbers_of(explanation)}, numbers_of(other), seen,
-                            places_of(subject, seen), recording_names(problem), settings);
-    if (!force) return std::nullopt;
-    subject = std::move(rest);
-    explanation = std::move(other);
-    return force;
+  const auto left_by = [&](const DrivenSubject& of, const Explanation& e) {
+    return FitInTime(evenly_banded(problem, settings), with_everything(of, e));
+  };
+  const FitInTime whole = left_by(subject, explanation);
+  Disturbances seen =
+      seen_by(problem, settings, with_lines(subject, explanation.selection.model), whole);
+  if (!seen.in_training()) return std::nullopt;
+  DrivenSubject rest = without(subject, seen);
+  // With causes that no push has spoilt it is plainer what is disturbed, in held-out logs too.
+  const Explanation rough = searches.rough(rest, explanation.forms);
+  Disturbances plainer = find_disturbances(left_by(rest, rough));
+  if (plainer.in_training() && differ(plainer, seen)) {
+    seen = std::move(plainer);
+    rest = without(subject, seen);
   }
-  return std::nullopt;
+  Explanation other = searches.full(rest, rough.forms);
+  leave_over(left_by(rest, other), seen);
+  std::optional<NamedCause> force =
+      find_unlogged_force({whole, numbers_of(explanation)}, numbers_of(other), seen,
+                          places_of(subject, seen), recording_names(problem), settings);
+  if (!force) return std::nullopt;
+  subject = std::move(rest);
+  explanation = std::move(other);
+  return force;
 }
 
 }  // namespace sinew::diagnosis

@@ -10,12 +10,16 @@
 
 namespace sinew::diagnosis {
 
-using Search = std::function<Explanation(const DrivenSubject&, const IsWanted&)>;
+/// An explanation of a subject's logs, from the forms of another one on.
+using Search = std::function<Explanation(const DrivenSubject&, const std::vector<SlotForm>&)>;
+struct Searches {
+  Search rough, full;
+};
 
-/// Where logs are disturbed now and then, `search` is asked again without those stretches. If a
+/// Where logs are disturbed now and then, a search is done again without those stretches. If a
 /// force explains them, the subject leaves them out from then on, the explanation is the second
 /// one, and the force is returned as a cause.
-std::optional<NamedCause> find_undisturbed(const Search& search, const Settings& settings,
+std::optional<NamedCause> find_undisturbed(const Searches& searches, const Settings& settings,
                                            DrivenSubject& subject, Explanation& explanation);
 
 }  // namespace sinew::diagnosis

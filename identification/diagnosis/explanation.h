@@ -2,7 +2,6 @@
 // A verdict and the fitted model it stands for.
 #pragma once
 
-#include <functional>
 
 #include "identification/diagnosis/selection.h"
 #include "identification/diagnosis/slot_form.h"
@@ -24,9 +23,5 @@ struct Explanation {
   /// from it.
   std::vector<SlotForm> forms;
 };
-
-/// Asked once, when the selection and the causes of the library are final: false where no more than
-/// the selection is needed, and naming the model's own values and errors can be spared.
-using IsWanted = std::function<bool(const Explanation&)>;
 
 }  // namespace sinew::diagnosis

@@ -9,10 +9,14 @@ namespace sinew::diagnosis {
 /// Names what the baseline leaves over: the set of hypotheses with the largest posterior odds under
 /// one likelihood of the whitened logs, small errors in everything included. What would settle its
 /// sets is proposed afterwards (propose_experiments, diagnosis/separation.h). Deterministic for
-/// given settings. Throws std::invalid_argument where no log is long enough. `is_wanted`: whether
-/// more than the selection is (explanation.h). `beginning`: forms of an explanation of nearly the
-/// same logs, which is quicker than from nothing.
+/// given settings. Throws std::invalid_argument where no log is long enough. `beginning`: forms of
+/// an explanation of nearly the same logs, which is quicker than from nothing.
 Explanation explain(const Problem& problem, const Settings& settings,
-                    const IsWanted& is_wanted = {}, const std::vector<SlotForm>& beginning = {});
+                    const std::vector<SlotForm>& beginning = {});
+
+/// Its selection, structure and forms alone, by a search that leaves rivals out: what nearly the
+/// same logs leave over, in a small part of the time.
+Explanation explain_roughly(const Problem& problem, const Settings& settings,
+                            const std::vector<SlotForm>& beginning);
 
 }  // namespace sinew::diagnosis

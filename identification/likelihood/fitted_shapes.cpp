@@ -96,8 +96,7 @@ void fit_forms(const Design& design, const std::vector<SlotForm>& forms, FoundSl
   fit_starts(design, starts, found);
 }
 
-bool add_fitted_shapes(const Design& design, FoundSlots& found) {
-  bool added = false;
+void add_fitted_shapes(const Design& design, FoundSlots& found) {
   const std::size_t first = found.model.terms.size() - found.slots.entries.size();
   for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {
     const Term& term = found.model.terms[first + i];
@@ -110,9 +109,7 @@ bool add_fitted_shapes(const Design& design, FoundSlots& found) {
         (known - term.nonlinear).norm() <= 1e-3 * term.nonlinear.norm())
       continue;
     add_shape(design, e.hypothesis, term.nonlinear, found.all);
-    added = true;
   }
-  return added;
 }
 
 bool ban_impossible(const Design& design, const FoundSlots& found, std::vector<bool>& banned) {

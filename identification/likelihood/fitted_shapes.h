@@ -15,8 +15,8 @@ void fit_shapes(const Design& design, FoundSlots& found);
 /// The model with a term for every form of another search whose hypothesis is there, likewise.
 void fit_forms(const Design& design, const std::vector<SlotForm>& forms, FoundSlots& found);
 
-/// Fitted shapes that are no grid points become shapes of their hypotheses. False: there are none.
-bool add_fitted_shapes(const Design& design, FoundSlots& found);
+/// Fitted shapes that are no grid points become shapes of their hypotheses.
+void add_fitted_shapes(const Design& design, FoundSlots& found);
 
 /// Hypotheses whose fitted terms lie beyond their limits are not taken again. False: there are
 /// none.

@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-// A shape is fitted where the grid's point was found; the search with it, and with the errors of
-// what was found, may find another one.
+// Rounds in which the noise and the errors of form are those beside what was found: one that knows
+// them for the first time, one that asks for rivals under them, and one more where a rival has won.
 constexpr int kRounds = 3;
 
 }  // namespace
@@ -36,6 +36,7 @@ struct Searched {
   VectorXd floor;  ///< per channel, the variance of a sample that is not material
   int most;        ///< slots
   std::vector<bool> banned;
+  int bans = 0;
 };
 
 void search_under(Whitening noise, const Searched& s, FoundSlots& found) {
@@ -92,10 +93,50 @@ Model with_free_values(const Hypotheses& all) {
   return model;
 }
 
+/// Grown from the forms so far, with shapes that are fitted.
+void grow_with_shapes(const Searched& s, FoundSlots& found) {
+  grow_slots(s.most, s.banned, found);
+  prefer_names(found);
+  fit_shapes(s.design, found);
+}
+
+/// Searched from rivals, too. What cannot be by the fit of its shape is banned, and the search is
+/// done again.
+void search_with_shapes(Searched& s, FoundSlots& found) {
+  constexpr int most_bans = 6;
+  for (;;) {
+    search_slots(s.most, s.banned, found);
+    fit_shapes(s.design, found);
+    bool again = false;
+    while (s.bans < most_bans && ban_impossible(s.design, found, s.banned)) {
+      ++s.bans;
+      again = true;
+      grow_with_shapes(s, found);
+    }
+    if (!again) return;
+  }
+}
+
+std::vector<int> hypotheses_of(const FoundSlots& found) {
+  std::vector<int> all;
+  for (const int e : found.slots.entries)
+    all.push_back(found.search->entries()[static_cast<std::size_t>(e)].hypothesis);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// The noise and what forms are off by, beside what was found, whose shapes join the others.
+void take_errors(const Searched& s, FoundSlots& found) {
+  found.whitening = with_form_errors(whitening_beside(s.design, found.model, s.floor), found.model,
+                                     found.all.parts.base.terms.size(), with_free_values(found.all));
+  add_fitted_shapes(s.design, found);
+  found.moments = moments_of(s.design, found.all, found.whitening);
+}
+
 }  // namespace
 
 std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
-                                       const Model& baseline,
+                                       const Model& baseline, Rivals rivals,
                                        const std::vector<SlotForm>& beginning) {
   auto found = std::make_unique<FoundSlots>();
   found->all = make_hypotheses(design, baseline);
@@ -104,30 +145,27 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
   Searched s{design, immaterial_variance(design, settings, found->all.parts.base),
              std::max(settings.most_causes, per_channel * design.problem().channels),
              std::vector<bool>(found->all.list.size(), false)};
-  constexpr int most_bans = 6;
   if (beginning.empty())
     first_noise(s, *found);
   else
     noise_beside(beginning, s, *found);
-  for (int round = 0, bans = 0;;) {
-    // What a slot's rivals are is asked once the errors of what was found are known.
-    if (round == 0 && !found->forms.empty())
-      grow_slots(s.most, s.banned, *found);
-    else
-      search_slots(s.most, s.banned, *found);
-    fit_shapes(design, *found);
-    if (bans < most_bans && ban_impossible(design, *found, s.banned)) {
-      ++bans;
+  const bool asked = rivals == Rivals::asked;
+  if (asked && found->forms.empty())
+    search_with_shapes(s, *found);
+  else
+    grow_with_shapes(s, *found);
+  for (int round = 1; round <= (asked ? kRounds : 1) && !found->slots.entries.empty(); ++round) {
+    take_errors(s, *found);
+    if (round == 1) {
+      grow_with_shapes(s, *found);
       continue;
     }
-    if (++round == kRounds || found->slots.entries.empty()) return found;
-    // The first round knows nothing of the errors of what it finds.
-    if (!add_fitted_shapes(design, *found) && round > 1) return found;
-    found->whitening =
-        with_form_errors(whitening_beside(design, found->model, s.floor), found->model,
-                         found->all.parts.base.terms.size(), with_free_values(found->all));
-    found->moments = moments_of(design, found->all, found->whitening);
+    // What a slot's rivals are is asked once the errors of what was found are known.
+    const std::vector<int> before = hypotheses_of(*found);
+    search_with_shapes(s, *found);
+    if (hypotheses_of(*found) == before) break;
   }
+  return found;
 }
 
 }  // namespace sinew::diagnosis

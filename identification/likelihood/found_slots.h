@@ -24,10 +24,13 @@ struct FoundSlots {
   std::vector<SlotForm> forms;  ///< what the next search begins from; empty: nothing
 };
 
-/// `baseline`: as for make_hypotheses(). `beginning`: what another search of nearly the same logs
-/// has found; empty: nothing is known yet.
+enum class Rivals { asked, left_out };
+
+/// `baseline`: as for make_hypotheses(). `rivals`: whether the search begins again from those of
+/// every slot. `beginning`: what another search of nearly the same logs has found; empty: nothing is
+/// known yet.
 std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
-                                       const Model& baseline,
+                                       const Model& baseline, Rivals rivals,
                                        const std::vector<SlotForm>& beginning);
 
 /// Per channel, the variance of a sample that is not material.

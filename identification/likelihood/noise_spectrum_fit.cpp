@@ -9,11 +9,11 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "identification/likelihood/decision_constants.h"
+#include "identification/regression/linear_fit.h"
 #include "identification/regression/spectrum.h"
 
 namespace sinew::diagnosis {
@@ -70,26 +70,48 @@ MatrixXd basis_of(const MatrixXd& x) {
               values.tail(keep).cwiseSqrt().cwiseInverse().asDiagonal());
 }
 
-/// What a fit leaves of a weighted target.
-VectorXd left_of(const VectorXd& target, const MatrixXd& basis, const VectorXd& weight) {
+/// Of a segment's weighted rows what a fit leaves, and the share that it has taken of each.
+struct FittedRows {
+  VectorXd left, leverage;
+};
+
+/// A segment by itself, as far as rows are left over.
+FittedRows fitted_alone(const std::vector<const BandColumns*>& columns, std::size_t segment,
+                        const VectorXd& target, const VectorXd& weight) {
+  const MatrixXd basis = basis_of(whitened_columns(columns, segment, weight));
   const VectorXd white = weight.cwiseProduct(target);
-  return white - basis * (basis.transpose() * white);
+  return {white - basis * (basis.transpose() * white), basis.rowwise().squaredNorm()};
+}
+
+/// All training segments together: what they share takes no more of all of them than one row.
+std::vector<FittedRows> fitted_together(const Model& model, const Weights& weights) {
+  const Stack rows = stack(model, weights);
+  const LinearFit fit = solve(rows);
+  std::vector<FittedRows> all(rows.a.size());
+  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t s) {
+    const MatrixXd& a = rows.a[s];
+    all[s].left = fit.residual.segment(rows.first_row[s], a.rows());
+    all[s].leverage = VectorXd::Zero(a.rows());
+    if (rows.at[s].empty()) return;
+    const MatrixXd covariance = fit.covariance(rows.at[s], rows.at[s]);
+    all[s].leverage = (a * covariance).cwiseProduct(a).rowwise().sum();
+  });
+  return all;
 }
 
 /// What is left of a segment's target, unwhitened, and what the fit took of every bin.
-std::vector<BinEnergy> bins_of(const Design& design, std::size_t s, const VectorXd& residual,
-                               const MatrixXd& basis, const VectorXd& weight) {
+std::vector<BinEnergy> bins_of(const Design& design, std::size_t s, const FittedRows& rows,
+                               const VectorXd& weight) {
   const Segment& segment = design.segments()[s];
   const double share =
       design.window(static_cast<int>(s)).squaredNorm() / static_cast<double>(segment.samples);
-  const VectorXd left = bin_energy(VectorXd(residual.cwiseQuotient(weight)));
-  VectorXd leverage = VectorXd::Zero(segment.bins);
-  for (Index c = 0; c < basis.cols(); ++c) leverage += bin_energy(basis.col(c));
+  const VectorXd left = bin_energy(VectorXd(rows.left.cwiseQuotient(weight)));
+  const VectorXd leverage = bin_energy(VectorXd(rows.leverage.cwiseMax(0.0).cwiseSqrt()));
   std::vector<BinEnergy> bins;
   for (Index b = 0; b < segment.bins; ++b) {
-    const double rows = (b == 0 ? 1.0 : 2.0) * share;
-    const double freedom = rows - leverage(b);
-    if (freedom < 0.1 * rows) continue;  // next to nothing is left there
+    const double of_bin = (b == 0 ? 1.0 : 2.0) * share;
+    const double freedom = of_bin - leverage(b);
+    if (freedom < 0.1 * of_bin) continue;  // next to nothing is left there
     bins.push_back({segment.rate_hz * static_cast<double>(b) / static_cast<double>(segment.samples),
                     left(b), freedom});
   }
@@ -140,71 +162,99 @@ void whiten(const Design& design, int channel, const std::vector<std::vector<Bin
 
 /// Training segments of the same log and length whose channels share their noise, and how far the
 /// rows that a fit leaves go together.
-std::vector<SharedNoise> shared_noise(const Design& design, const std::vector<VectorXd>& left) {
+std::vector<SharedNoise> shared_noise(const Design& design, const std::vector<FittedRows>& rows) {
   const Problem& problem = design.problem();
   std::vector<SharedNoise> all;
   if (problem.noise_groups.empty()) return all;
   std::map<std::tuple<int, int, Index>, std::vector<std::size_t>> groups;
-  for (std::size_t s = 0; s < left.size(); ++s) {
+  for (std::size_t s = 0; s < rows.size(); ++s) {
     const Segment& segment = design.segments()[s];
-    if (left[s].size() > 0)
+    if (rows[s].left.size() > 0)
       groups[{segment.recording, problem.noise_groups[static_cast<std::size_t>(segment.channel)],
-              left[s].size()}]
+              rows[s].left.size()}]
           .push_back(s);
   }
   for (auto& [key, segments] : groups) {
     const auto count = static_cast<Index>(segments.size());
     if (count < 2) continue;
-    MatrixXd rows(std::get<Index>(key), count);
-    for (Index i = 0; i < count; ++i) rows.col(i) = left[segments[static_cast<std::size_t>(i)]];
-    const VectorXd size = rows.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+    MatrixXd left(std::get<Index>(key), count);
+    for (Index i = 0; i < count; ++i) left.col(i) = rows[segments[static_cast<std::size_t>(i)]].left;
+    const VectorXd size = left.colwise().norm().cwiseMax(1e-300).cwiseInverse();
     all.push_back(
-        {std::move(segments), size.asDiagonal() * (rows.transpose() * rows) * size.asDiagonal()});
+        {std::move(segments), size.asDiagonal() * (left.transpose() * left) * size.asDiagonal()});
   }
   return all;
 }
 
-/// From what a fit of a target by some columns leaves over.
-Whitening whitening_from(const Design& design, const std::vector<VectorXd>& target,
-                         const std::vector<const BandColumns*>& fitted, const VectorXd& floor,
-                         const ExpectedSpectra& expected, bool rises_go_on) {
+/// What a spectrum is fitted with, beside what is left over.
+struct SpectraPrior {
+  const VectorXd& floor;
+  const ExpectedSpectra& expected;
+  bool rises_go_on = false;
+};
+
+/// From what `fitted` leaves over under given weights.
+template <class FittedUnder>
+Whitening whitening_from(const Design& design, Weights weights, const FittedUnder& fitted,
+                         const SpectraPrior& prior) {
   const auto count = design.segments().size();
-  Whitening whitening{even_weights(design), Weights(count), {}, {}, {}};
+  Whitening whitening{std::move(weights), Weights(count), {}, {}, {}};
   whitening.of_channel.resize(static_cast<std::size_t>(design.problem().channels));
-  Weights& weights = whitening.training;
-  std::vector<VectorXd> left(count);
+  std::vector<FittedRows> rows;
   // The second fit is weighted with the first one's spectrum.
   for (int round = 0; round < 2; ++round) {
+    rows = fitted(whitening.training);
     std::vector<std::vector<BinEnergy>> bins(count);
-    tbb::parallel_for(0, static_cast<int>(count), [&](int i) {
-      const auto s = static_cast<std::size_t>(i);
-      if (design.segments()[s].holdout) return;
-      const MatrixXd basis = basis_of(whitened_columns(fitted, s, weights[s]));
-      left[s] = left_of(target[s], basis, weights[s]);
-      bins[s] = bins_of(design, s, left[s], basis, weights[s]);
-    });
+    for (std::size_t s = 0; s < count; ++s)
+      if (!design.segments()[s].holdout)
+        bins[s] = bins_of(design, s, rows[s], whitening.training[s]);
     for (int channel = 0; channel < design.problem().channels; ++channel)
-      whiten(design, channel, bins, expected, rises_go_on, floor(channel), whitening);
+      whiten(design, channel, bins, prior.expected, prior.rises_go_on, prior.floor(channel),
+             whitening);
   }
-  whitening.shared = shared_noise(design, left);
+  whitening.shared = shared_noise(design, rows);
   return whitening;
+}
+
+/// A channel's rows in units of what is to be fitted in it.
+Weights weights_by_size(const Design& design, const std::vector<VectorXd>& target) {
+  const auto channels = static_cast<Index>(design.problem().channels);
+  VectorXd energy = VectorXd::Zero(channels), rows = VectorXd::Zero(channels);
+  for (std::size_t s = 0; s < target.size(); ++s)
+    if (!design.segments()[s].holdout) {
+      energy(design.segments()[s].channel) += target[s].squaredNorm();
+      rows(design.segments()[s].channel) += static_cast<double>(target[s].size());
+    }
+  Weights weights = even_weights(design);
+  for (std::size_t s = 0; s < target.size(); ++s) {
+    const int channel = design.segments()[s].channel;
+    if (energy(channel) > 0.0) weights[s] *= std::sqrt(rows(channel) / energy(channel));
+  }
+  return weights;
 }
 
 }  // namespace
 
 Whitening whitening_of(const Design& design, const Hypotheses& all, const VectorXd& floor,
                        const ExpectedSpectra& expected) {
-  std::vector<const BandColumns*> fitted;
-  for (const Term& term : all.parts.base.terms) fitted.push_back(&term.columns.get());
+  std::vector<const BandColumns*> columns;
+  for (const Term& term : all.parts.base.terms) columns.push_back(&term.columns.get());
   for (const int shape : representatives(all))
-    fitted.push_back(&all.shapes[static_cast<std::size_t>(shape)].columns);
-  return whitening_from(design, all.parts.base.target, fitted, floor, expected, false);
+    columns.push_back(&all.shapes[static_cast<std::size_t>(shape)].columns);
+  const auto fitted = [&](const Weights& weights) {
+    std::vector<FittedRows> rows(weights.size());
+    tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t s) {
+      if (weights[s].size() > 0)
+        rows[s] = fitted_alone(columns, s, all.parts.base.target[s], weights[s]);
+    });
+    return rows;
+  };
+  return whitening_from(design, even_weights(design), fitted, {floor, expected, false});
 }
 
 Whitening whitening_beside(const Design& design, const Model& model, const VectorXd& floor) {
-  std::vector<const BandColumns*> fitted;
-  for (const Term& term : model.terms) fitted.push_back(&term.columns.get());
-  return whitening_from(design, model.target, fitted, floor, {}, true);
+  const auto fitted = [&](const Weights& weights) { return fitted_together(model, weights); };
+  return whitening_from(design, weights_by_size(design, model.target), fitted, {floor, {}, true});
 }
 
 double log_determinant(const Whitening& whitening) {

@@ -40,7 +40,7 @@ struct Whitening {
 Whitening whitening_of(const Design& design, const Hypotheses& all, const Eigen::VectorXd& floor,
                        const ExpectedSpectra& expected = {});
 
-/// From what a model leaves over of the training logs.
+/// From what a model leaves over of the training logs, fitted to all of them together.
 Whitening whitening_beside(const Design& design, const Model& model, const Eigen::VectorXd& floor);
 
 /// log of the determinant of what whitening multiplies the training logs' rows with: -1/2 log det

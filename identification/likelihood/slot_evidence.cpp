@@ -25,21 +25,6 @@ double evidence_of(const FoundSlots& found, const SmallErrors& errors, double sh
          kPriceOfDecade * std::log10(share / kShares[0]);
 }
 
-/// Slots with names alone, where they explain as much but for what their forms are off by; the
-/// search knows of nothing else then.
-Slots named_if_as_good(SlotSearch& search, Slots best) {
-  search.set_names_alone(true);
-  if (search.are_named(best)) return best;
-  Slots named = search.from_rivals(search.find());
-  if (named.log_posterior >= (1.0 - kFormError * kFormError) * best.log_posterior) return named;
-  search.set_names_alone(false);
-  return best;
-}
-
-}  // namespace
-
-namespace {
-
 struct Grower {
   int most;
   const std::vector<bool>& banned;
@@ -91,11 +76,40 @@ void grow_slots(int most, const std::vector<bool>& banned, FoundSlots& found) {
   }
 }
 
+namespace {
+
+/// Whether names explain as much as structure without a name but for what their forms are off by.
+bool are_as_good(const Slots& names, const Slots& any) {
+  return names.log_posterior >= (1.0 - kFormError * kFormError) * any.log_posterior;
+}
+
+}  // namespace
+
+void prefer_names(FoundSlots& found) {
+  SlotSearch& search = *found.search;
+  search.set_names_alone(true);
+  if (search.are_named(found.slots)) return;
+  const Slots names = search.find();
+  if (are_as_good(names, found.slots))
+    found.slots = names;
+  else
+    search.set_names_alone(false);
+}
+
 void search_slots(int most, const std::vector<bool>& banned, FoundSlots& found) {
   grow_slots(most, banned, found);
-  found.slots = found.search->from_rivals(found.slots);
-  found.slots = named_if_as_good(*found.search, std::move(found.slots));
-  found.slots = found.search->with_names(found.slots);
+  const Slots grown = found.slots;
+  SlotSearch& search = *found.search;
+  search.set_names_alone(true);
+  Slots names = search.from_rivals(search.are_named(grown) ? grown : search.find());
+  search.set_names_alone(false);
+  // Structure beside the names, or in their place.
+  Slots any = search.find(names);
+  if (grown.log_posterior > any.log_posterior) any = grown;
+  if (!are_as_good(names, any)) any = search.from_rivals(any);
+  const bool named = are_as_good(names, any);
+  search.set_names_alone(named);
+  found.slots = search.with_names(named ? std::move(names) : std::move(any));
 }
 
 }  // namespace sinew::diagnosis

@@ -14,8 +14,12 @@ namespace sinew::diagnosis {
 /// it is left out.
 void grow_slots(int most, const std::vector<bool>& banned, FoundSlots& found);
 
-/// Then from the slots' rivals, and with names alone where they explain as much but for what their
-/// forms are off by.
+/// The slots with names alone, where those explain as much as structure without a name but for what
+/// their forms are off by; the search knows of nothing else then.
+void prefer_names(FoundSlots& found);
+
+/// Grows, then searches from the slots' rivals, among names alone and, where structure without a
+/// name explains more than their forms may be off by, among all.
 void search_slots(int most, const std::vector<bool>& banned, FoundSlots& found);
 
 }  // namespace sinew::diagnosis

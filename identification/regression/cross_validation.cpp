@@ -268,4 +268,13 @@ Gain block_bootstrap_gain(const VectorXd& before, const VectorXd& after, double 
   return gain;
 }
 
+double standard_errors_above_zero(const Gain& gain) {
+  constexpr double of_interval = 1.96;
+  return of_interval * gain.share / std::max(gain.share - gain.low, 1e-300);
+}
+
+bool is_sure(const Gain& gain) {
+  return gain.share > 0.0 && standard_errors_above_zero(gain) > 1.6;
+}
+
 }  // namespace sinew::diagnosis

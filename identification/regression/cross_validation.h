@@ -40,4 +40,10 @@ struct Gain {
 Gain block_bootstrap_gain(const Eigen::VectorXd& before, const Eigen::VectorXd& after, double level,
                           unsigned seed);
 
+/// Of a gain whose interval is of 95 %.
+double standard_errors_above_zero(const Gain& gain);
+
+/// To one side, 1.6 standard errors are sure.
+bool is_sure(const Gain& gain);
+
 }  // namespace sinew::diagnosis

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "identification/subjects/driven_subject.h"
 #include "identification/subjects/expected_bodies.h"
@@ -92,6 +93,9 @@ void DrivenSubject::add_common_deviations(std::size_t joint) {
 }
 
 void DrivenSubject::add_deviation(const Candidate& c, CandidateOrigin origin, int columns) {
+  // Its columns are asked for without a shape.
+  if (!c.nonlinear.empty())
+    throw std::logic_error(c.name + " (" + c.place + ") has a shape and is no value of the model");
   ParameterDeviation deviation{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment,
                                {},     false};
   const std::size_t count = columns < 0 ? c.linear.size() : static_cast<std::size_t>(columns);
@@ -129,7 +133,7 @@ void DrivenSubject::add_mechanism_deviations() {
       add_deviation(candidate, origin, kMassAndFirstMoments);
     else if (origin.effect == "inertial_parameters" && !has_moments)
       add_deviation(candidate, origin);
-    else if (origin.effect == "gravity" || !origin.tendon.empty())
+    else if (origin.effect == "gravity" || (!origin.tendon.empty() && candidate.nonlinear.empty()))
       add_deviation(candidate, origin);
   }
 }

@@ -20,7 +20,7 @@ struct DriveSearch {
         problem(drive.problem({0})),
         design(problem, drive.settings),
         baseline(fitted_baseline(design)),
-        found(find_slots(design, drive.settings, baseline, {})) {}
+        found(find_slots(design, drive.settings, baseline, Rivals::asked, {})) {}
 
   bool is_named(int entry) const {
     const Entry& e = found->search->entries()[static_cast<std::size_t>(entry)];

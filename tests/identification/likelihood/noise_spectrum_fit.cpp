@@ -4,10 +4,15 @@
 #include <cmath>
 #include <random>
 
+#include "identification/likelihood/fitted_baseline.h"
 #include "identification/likelihood/noise_spectrum_fit.h"
+#include "identification/regression/refine.h"
+#include "identification/regression/starting_values.h"
+#include "tests/identification/likelihood/drive_stretches.h"
 
 namespace {
 
+using namespace sinew;
 using namespace sinew::diagnosis;
 
 constexpr double band = 60.0;
@@ -44,6 +49,27 @@ TEST_CASE("the spectrum is that of the noise, whatever a fit has taken of it") {
   std::vector<BinEnergy> forgotten = drawn(4000, 400, 2);
   for (BinEnergy& bin : forgotten) bin.freedom = 2.0;
   CHECK(worst(fit_spectrum(forgotten, band)) > 0.5);
+}
+
+// A fit of many columns takes the lowest frequencies of a short log whole. Where every log was fitted
+// by itself, the noise there was guessed from higher ones (seen red, by a factor of FACTOR), and what
+// is slow counted as noise.
+TEST_CASE("the noise at low frequencies is seen beside a model that short logs share") {
+  const test::DriveStretches drive = test::drive_stretches({"viscous asymmetry"}, {0.0}, 8, 4.0, 51);
+  const Problem problem = drive.problem({0, 1, 2, 3, 4, 5, 6, 7});
+  const Design design(problem, drive.settings);
+  const Model base = fitted_baseline(design);
+  Model more = base;
+  for (const Candidate& candidate : problem.library)
+    if (candidate.kind == CandidateKind::named)
+      more.terms.push_back(make_term(design, candidate, starting_values(candidate).front(), false));
+  constexpr double frequency = 0.3;
+  const auto noise = [&](const Model& model) {
+    return whitening_beside(design, model, Eigen::VectorXd::Zero(1))
+        .of_channel.front()
+        .at(frequency);
+  };
+  CHECK(std::abs(std::log(noise(more) / noise(base))) < 1.0);
 }
 
 // Noise that the spectrum has not would be told as structure. Seen red without the rise.

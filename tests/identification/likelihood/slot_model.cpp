@@ -86,6 +86,28 @@ TEST_CASE("the fit without a slot follows from the fit with it") {
   }
 }
 
+// Seen red with bounds of half that size, and without the entries of several columns.
+TEST_CASE("log odds are no larger than their bounds, and what is above 0 has one") {
+  Random random;
+  for (const double target : {1.0, 0.1}) {
+    random.m.target *= target;
+    const SmallErrors errors(random.m, random.all, 1e-3);
+    const SlotModel model(random.all, errors, std::vector<bool>(6, false));
+    const Slots slots{{1}, {0.01}, 0.0};
+    const SlotModel::Fit fit = model.fit(slots, Regions::kEverywhere);
+    const std::vector<double> odds = model.log_odds(slots, fit, false);
+    const std::vector<EntryOdds> bounds = model.odds_at_most(slots, fit, false);
+    REQUIRE_FALSE(bounds.empty());
+    std::vector<double> most(odds.size(), kNoOdds);
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      if (i > 0) CHECK(bounds[i].log_odds <= bounds[i - 1].log_odds);
+      most[static_cast<std::size_t>(bounds[i].entry)] = bounds[i].log_odds;
+    }
+    for (std::size_t e = 0; e < odds.size(); ++e)
+      if (odds[e] > 0.0) CHECK(odds[e] <= most[e]);
+  }
+}
+
 // Seen red with the first shape of the hypothesis in place of the nearest one.
 TEST_CASE("a form of another search is the nearest shape here, and none where there is none") {
   const Random random;
