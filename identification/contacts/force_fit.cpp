@@ -153,7 +153,8 @@ struct LinkResidual {
       Eigen::Map<VectorXd>(residuals + at, s.left.size()) = left_of(s, parameters[0]);
       at += s.left.size();
     }
-    return true;
+    // Far away, where nothing is told from anything, there may be no numbers.
+    return Eigen::Map<const VectorXd>(residuals, at).allFinite();
   }
 };
 

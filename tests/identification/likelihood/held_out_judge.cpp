@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the model is extended by holds what held-out logs confirm, and nothing that made up for it in
+// the fit.
+#include "identification/likelihood/held_out_judge.h"
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "identification/regression/baseline.h"
+#include "identification/regression/refine.h"
+#include "tests/identification/diagnosis/two_joints.h"
+
+using namespace sinew::diagnosis;
+namespace test = sinew::test;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+Candidate term(const std::string& name, double harmonic) {
+  Candidate c;
+  c.name = name;
+  c.place = "arm";
+  c.linear.push_back({"size", "", -1e9, 1e9, false, {}});
+  c.columns = [harmonic](const Recording& r, int, const VectorXd&) -> MatrixXd {
+    return (harmonic * r.q.col(0).array()).cos();
+  };
+  return c;
+}
+
+/// One channel of two logs; what a cause adds to the first and to the held-out one.
+struct Hidden {
+  std::string name;
+  double harmonic, training, held_out;
+};
+
+Problem problem_of(const std::vector<Hidden>& hidden) {
+  Problem problem;
+  problem.channels = 1;
+  Recording log = test::two_joint_motion();
+  Recording later = log;
+  std::srand(5);
+  VectorXd y = 1e-3 * VectorXd::Random(log.q.rows()), z = 1e-3 * VectorXd::Random(log.q.rows());
+  for (const Hidden& h : hidden) {
+    problem.library.push_back(term(h.name, h.harmonic));
+    const VectorXd column = problem.library.back().columns(log, 0, VectorXd()).col(0);
+    y += h.training * column;
+    z += h.held_out * column;
+  }
+  log.target.push_back(y);
+  later.target.push_back(z);
+  problem.training.push_back(std::move(log));
+  problem.holdout.push_back(std::move(later));
+  return problem;
+}
+
+/// Names that are told, and those of the terms that are left in the fit.
+struct Judged {
+  std::vector<std::string> sure, fitted;
+};
+
+Judged judged(const Problem& problem) {
+  const Settings settings = test::below_20_hz();
+  const Design design(problem, settings);
+  Selection adopted;
+  adopted.model = baseline_model(design);
+  std::vector<NamedCause> causes;
+  for (const Candidate& c : problem.library) {
+    adopted.model.terms.push_back(make_term(design, c, VectorXd(), false));
+    causes.emplace_back();
+    causes.back().members.emplace_back();
+    causes.back().members.front().name = c.name;
+  }
+  adopted.noise = own_noise(design, adopted.model);
+  FoundSlots found;
+  found.whitening = whitening_beside(design, adopted.model, VectorXd::Constant(1, 1e-9));
+  Judged result;
+  for (const NamedCause& cause : HeldOutJudge(design, settings, found).causes(causes, adopted))
+    if (is_sure(cause.confirmed)) result.sure.push_back(cause.members.front().name);
+  for (const Term& t : adopted.model.terms) result.fitted.push_back(t.candidate->name);
+  return result;
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+// Seen red with its term left in the fit.
+TEST_CASE("a name that held-out logs do not confirm is not left in the fit") {
+  const Judged j = judged(problem_of({{"link", 1.2, 0.3, 0.0}, {"payload", 1.0, 1.0, 1.0}}));
+  CHECK(j.sure == Names{"payload"});
+  CHECK(j.fitted == Names{"payload"});
+}
+
+// Seen red with all that are not sure withdrawn at once: nothing was left.
+TEST_CASE("of two names that say the same, neither sure beside the other, one is told") {
+  const Judged j =
+      judged(problem_of({{"link", 1.0, 0.5, 0.5}, {"payload", 1.0, 0.5, 0.5}, {"spring", 3.0, 1.0, 1.0}}));
+  REQUIRE(j.sure.size() == 2);
+  CHECK(j.fitted.size() == 2);
+}
