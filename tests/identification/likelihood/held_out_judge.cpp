@@ -92,7 +92,7 @@ TEST_CASE("a name that held-out logs do not confirm is not left in the fit") {
   CHECK(j.fitted == Names{"payload"});
 }
 
-// Seen red with all that are not sure withdrawn at once: nothing was left.
+// Seen red with all that are not sure withdrawn at once: the spring alone was left.
 TEST_CASE("of two names that say the same, neither sure beside the other, one is told") {
   const Judged j =
       judged(problem_of({{"link", 1.0, 0.5, 0.5}, {"payload", 1.0, 0.5, 0.5}, {"spring", 3.0, 1.0, 1.0}}));
