@@ -2,7 +2,6 @@
 // A verdict and the fitted model it stands for.
 #pragma once
 
-
 #include "identification/diagnosis/selection.h"
 #include "identification/diagnosis/slot_form.h"
 #include "identification/diagnosis/verdict.h"

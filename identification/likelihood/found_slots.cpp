@@ -127,8 +127,9 @@ std::vector<int> hypotheses_of(const FoundSlots& found) {
 
 /// The noise and what forms are off by, beside what was found, whose shapes join the others.
 void take_errors(const Searched& s, FoundSlots& found) {
-  found.whitening = with_form_errors(whitening_beside(s.design, found.model, s.floor), found.model,
-                                     found.all.parts.base.terms.size(), with_free_values(found.all));
+  found.whitening =
+      with_form_errors(whitening_beside(s.design, found.model, s.floor), found.model,
+                       found.all.parts.base.terms.size(), with_free_values(found.all));
   add_fitted_shapes(s.design, found);
   found.moments = moments_of(s.design, found.all, found.whitening);
 }

@@ -27,8 +27,8 @@ struct FoundSlots {
 enum class Rivals { asked, left_out };
 
 /// `baseline`: as for make_hypotheses(). `rivals`: whether the search begins again from those of
-/// every slot. `beginning`: what another search of nearly the same logs has found; empty: nothing is
-/// known yet.
+/// every slot. `beginning`: what another search of nearly the same logs has found; empty: nothing
+/// is known yet.
 std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
                                        const Model& baseline, Rivals rivals,
                                        const std::vector<SlotForm>& beginning);

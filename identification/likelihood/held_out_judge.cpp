@@ -36,8 +36,8 @@ Gain HeldOutJudge::confirmed(const Model& whole, std::size_t term) const {
   const VectorXd channels = channels_of(design_, whole.terms[term]);
   const auto losses = [&](const Model& model) {
     const LinearFit fit = solve(stack(model, whitening.training));
-    return VectorXd(
-        held_out(design_, model, fit, settings_.blocks, &whitening.held_out).plain * channels);
+    return VectorXd(held_out(design_, model, fit, settings_.blocks, &whitening.held_out).plain *
+                    channels);
   };
   return block_bootstrap_gain(losses(without), losses(with), 0.95, settings_.seed);
 }

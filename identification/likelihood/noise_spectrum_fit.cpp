@@ -178,7 +178,8 @@ std::vector<SharedNoise> shared_noise(const Design& design, const std::vector<Fi
     const auto count = static_cast<Index>(segments.size());
     if (count < 2) continue;
     MatrixXd left(std::get<Index>(key), count);
-    for (Index i = 0; i < count; ++i) left.col(i) = rows[segments[static_cast<std::size_t>(i)]].left;
+    for (Index i = 0; i < count; ++i)
+      left.col(i) = rows[segments[static_cast<std::size_t>(i)]].left;
     const VectorXd size = left.colwise().norm().cwiseMax(1e-300).cwiseInverse();
     all.push_back(
         {std::move(segments), size.asDiagonal() * (left.transpose() * left) * size.asDiagonal()});

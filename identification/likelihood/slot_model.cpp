@@ -167,8 +167,7 @@ VectorXd SlotModel::conditional_grams(int region, const MatrixXd& taken) const {
     if (!meets(static_cast<int>(i), region)) return;
     const Entry& e = entries_[i];
     const auto wide = static_cast<Index>(e.columns.size());
-    const MatrixXd own =
-        taken(Eigen::all, errors_.moments().regions().places(region, e.columns));
+    const MatrixXd own = taken(Eigen::all, errors_.moments().regions().places(region, e.columns));
     MatrixXd::Map(grams.data() + first_gram_[i], wide, wide).noalias() =
         e.alone.gram - own.transpose() * own;
   });

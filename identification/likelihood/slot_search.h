@@ -55,9 +55,7 @@ class SlotSearch {
   }
 
  private:
-  double log_prior(int entry) const {
-    return entries()[static_cast<std::size_t>(entry)].log_prior;
-  }
+  double log_prior(int entry) const { return entries()[static_cast<std::size_t>(entry)].log_prior; }
   Slots sized(const Slots& given, const SlotModel::Fit& f, int entry) const;
   std::optional<Slots> with_best(const Slots& given, const SlotModel::Fit& f) const;
   std::vector<Rival> rivals(const Slots& others, const SlotModel::Fit& f) const;

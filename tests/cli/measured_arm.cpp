@@ -52,8 +52,9 @@ double told(const json& findings, const std::string& cause, const std::string& p
 TEST_CASE("a measured arm tells its rotors and its friction from currents", "[slow]") {
   // Seen to fail before currents were read (no channel is there), with rests taken for stuck
   // readings, and with rotors hidden by the friction that was found: wrists 1 and 2 had none, and
-  // the joints kept 4.8 to 12.8 % of their standard deviations. The first joint kept 10.4 % with all
-  // names withdrawn at once that were not sure beside the others, 8.9 % with the rest's shapes left.
+  // the joints kept 4.8 to 12.8 % of their standard deviations. The first joint kept 10.4 % with
+  // all names withdrawn at once that were not sure beside the others, 8.9 % with the rest's shapes
+  // left.
   if (!std::filesystem::exists(data + "harmonics_unloaded.csv"))
     return sinew::test::skip("../shared/data/ur10e is absent");
   const Workplace here;

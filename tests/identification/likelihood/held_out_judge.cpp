@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the model is extended by holds what held-out logs confirm, and nothing that made up for it in
-// the fit.
+// What the model is extended by holds what held-out logs confirm, and nothing that made up for it
+// in the fit.
 #include "identification/likelihood/held_out_judge.h"
 
 #include <catch2/catch.hpp>
@@ -94,8 +94,8 @@ TEST_CASE("a name that held-out logs do not confirm is not left in the fit") {
 
 // Seen red with all that are not sure withdrawn at once: the spring alone was left.
 TEST_CASE("of two names that say the same, neither sure beside the other, one is told") {
-  const Judged j =
-      judged(problem_of({{"link", 1.0, 0.5, 0.5}, {"payload", 1.0, 0.5, 0.5}, {"spring", 3.0, 1.0, 1.0}}));
+  const Judged j = judged(
+      problem_of({{"link", 1.0, 0.5, 0.5}, {"payload", 1.0, 0.5, 0.5}, {"spring", 3.0, 1.0, 1.0}}));
   REQUIRE(j.sure.size() == 2);
   CHECK(j.fitted.size() == 2);
 }

@@ -63,9 +63,9 @@ Eigen::VectorXd slow_noise(const Eigen::VectorXd& time, std::mt19937_64& random)
   return y;
 }
 
-// A fit of many columns takes the lowest frequencies of a short log whole. Where every log was fitted
-// by itself, the noise there was guessed from higher ones (seen red, 4.1 times what it is at 2 Hz), and what is
-// slow counted as noise.
+// A fit of many columns takes the lowest frequencies of a short log whole. Where every log was
+// fitted by itself, the noise there was guessed from higher ones (seen red, 4.1 times what it is at
+// 2 Hz), and what is slow counted as noise.
 TEST_CASE("the noise at low frequencies is seen beside a model that short logs share") {
   const test::DriveStretches drive =
       test::drive_stretches({"viscous asymmetry"}, {0.0}, 12, 3.0, 51);
@@ -78,7 +78,8 @@ TEST_CASE("the noise at low frequencies is seen beside a model that short logs s
   Model model = fitted_baseline(design);
   for (const Candidate& candidate : problem.library)
     if (candidate.kind != CandidateKind::delay)
-      model.terms.push_back(make_term(design, candidate, starting_values(candidate).front(), false));
+      model.terms.push_back(
+          make_term(design, candidate, starting_values(candidate).front(), false));
   const SmoothSpectrum noise =
       whitening_beside(design, model, Eigen::VectorXd::Zero(1)).of_channel.front();
   INFO(noise.at(0.3) / noise.at(2.0));
