@@ -172,6 +172,41 @@ FixedPart nominal_part(const Design& design, const Model& model, const Covered& 
   return fixed;
 }
 
+std::vector<VectorXd> said_unfiltered(const Design& design, const DeviationTerms& parts,
+                                      const VectorXd& coefficients) {
+  std::vector<VectorXd> said;
+  for (std::size_t s = 0; s < design.segments().size(); ++s) {
+    const Segment& segment = design.segments()[s];
+    const auto channel = static_cast<std::size_t>(segment.channel);
+    const Recording& log = design.recording(segment.recording);
+    VectorXd sum = log.known.empty() ? VectorXd::Zero(log.time.size()) : log.known[channel];
+    // Columns of a term that acts there, times the value of each of its shared parameters.
+    const auto add = [&](const Candidate& c, const VectorXd& shape, const auto& value_of) {
+      if (!acts_on(c, segment.channel)) return;
+      const MatrixXd columns = c.columns(log, segment.channel, shape);
+      for (Index p = 0; p < columns.cols(); ++p)
+        if (!c.linear[static_cast<std::size_t>(p)].per_log) sum += value_of(p) * columns.col(p);
+    };
+    for (std::size_t t = 0; t < parts.nominal.size(); ++t) {
+      const Candidate& c = *parts.nominal[t].candidate;
+      add(c, parts.nominal[t].nonlinear, [&](Index p) {
+        const auto i = static_cast<std::size_t>(p);
+        return parts.covered[t][i] ? c.linear[i].nominal.value_or(0.0) : 0.0;
+      });
+    }
+    const std::vector<Index> first = first_columns(parts.base);
+    for (std::size_t t = 0; t < parts.base.terms.size(); ++t) {
+      const Candidate& c = *parts.base.terms[t].candidate;
+      if (c.kind == CandidateKind::delay || first[t + 1] == first[t]) continue;
+      add(c, parts.base.terms[t].nonlinear, [&](Index p) {
+        return coefficients(first[t] + column_of(design, c, static_cast<int>(p)));
+      });
+    }
+    said.push_back(std::move(sum));
+  }
+  return said;
+}
+
 DeviationTerms take_apart(const Design& design, const Model& model) {
   const Problem& problem = design.problem();
   const Covered covered = covered_coefficients(problem);
@@ -188,6 +223,8 @@ DeviationTerms take_apart(const Design& design, const Model& model) {
       continue;
     }
     const auto& mine = covered[static_cast<std::size_t>(term.candidate - problem.baseline.data())];
+    parts.nominal.push_back({term.candidate, true, term.nonlinear, {}});
+    parts.covered.push_back(mine);
     if (std::all_of(mine.begin(), mine.end(), [](bool c) { return c; })) continue;
     parts.base.terms.push_back(free_part(design, term, mine, parts.made));
   }

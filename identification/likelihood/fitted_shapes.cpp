@@ -20,13 +20,16 @@ double coordinate(const NonlinearParameter& range, double value) {
 /// Where a slot's shape is to be fitted from: its grid point, or between two by their coefficients.
 VectorXd start_of(const FoundSlots& found, std::size_t slot) {
   const Entry& entry = found.search->entries()[static_cast<std::size_t>(found.slots.entries[slot])];
+  const Hypothesis& h = found.all.list[static_cast<std::size_t>(entry.hypothesis)];
+  if (h.source->kind == CandidateKind::delay)
+    return VectorXd::Constant(1, found.search->coefficients(found.slots, slot).sum());
   const auto shape = [&](std::size_t i) {
     return found.all.shapes[static_cast<std::size_t>(entry.shapes[i])].nonlinear;
   };
   if (entry.shapes.size() == 1) return shape(0);
   const VectorXd b = found.search->coefficients(found.slots, slot).cwiseAbs();
   const double part = b(1) / std::max(b.sum(), 1e-300);
-  const auto& ranges = found.all.list[static_cast<std::size_t>(entry.hypothesis)].source->nonlinear;
+  const auto& ranges = h.source->nonlinear;
   VectorXd start = shape(0);
   for (Index p = 0; p < start.size(); ++p) {
     const NonlinearParameter& range = ranges[static_cast<std::size_t>(p)];
@@ -46,7 +49,7 @@ struct Start {
 void append_start(const Design& design, const Start& start, FoundSlots& found) {
   const Hypothesis& h = found.all.list[static_cast<std::size_t>(start.hypothesis)];
   if (h.source->kind == CandidateKind::delay)
-    append_term(design, found.whitening.training, *h.source, VectorXd::Zero(1), found.model);
+    append_term(design, found.whitening.training, *h.source, start.nonlinear, found.model);
   else if (h.candidate < 0)
     found.model.terms.push_back(term_of(found.all, h.shapes.front()));
   else
@@ -101,9 +104,7 @@ void add_fitted_shapes(const Design& design, FoundSlots& found) {
   for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {
     const Term& term = found.model.terms[first + i];
     const Entry& e = found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])];
-    if (term.deviation >= 0 || term.candidate->kind == CandidateKind::delay ||
-        term.nonlinear.size() == 0)
-      continue;
+    if (term.deviation >= 0 || term.nonlinear.size() == 0) continue;
     const VectorXd& known = found.all.shapes[static_cast<std::size_t>(e.shapes.front())].nonlinear;
     if (e.shapes.size() == 1 && known.size() == term.nonlinear.size() &&
         (known - term.nonlinear).norm() <= 1e-3 * term.nonlinear.norm())

@@ -69,10 +69,26 @@ void share_priors(std::vector<Hypothesis>& list) {
   for (Hypothesis& h : list) h.log_prior -= std::log(forms[{h.source->name, h.source->place}]);
 }
 
-/// A delay's column is the rate of what the model says.
-BandColumns delay_of_model(const Design& design, const Model& base, const Candidate& delay) {
-  const VectorXd coefficients = solve(stack(base, even_weights(design))).coefficients;
-  return prediction_rate(design, base, term_rates(design, base), coefficients, delay);
+/// A delay's column is how much what the model says is moved by it, per second of the delay. For
+/// one of nothing it is the rate, which a short delay stands for.
+BandColumns moved_columns(const Design& design, const std::vector<VectorXd>& said,
+                          const Candidate& delay, double by) {
+  constexpr double shortest = 1e-4;  // s: one of less is as straight as its rate
+  const bool is_rate = std::abs(by) < shortest;
+  const double from = is_rate ? -shortest : 0.0, to = is_rate ? shortest : by;
+  BandColumns columns(design.segments().size());
+  for (std::size_t s = 0; s < columns.size(); ++s) {
+    if (!acts_on(delay, design.segments()[s].channel)) continue;
+    const auto i = static_cast<int>(s);
+    columns[s] = (design.in_band(i, said[s], to) - design.in_band(i, said[s], from)) / (to - from);
+  }
+  return columns;
+}
+
+BandColumns columns_of(const Design& design, const Hypotheses& all, const Candidate& source,
+                       const VectorXd& nonlinear) {
+  return source.kind == CandidateKind::delay ? moved_columns(design, all.said, source, nonlinear(0))
+                                             : design.columns(source, nonlinear);
 }
 
 }  // namespace
@@ -84,6 +100,8 @@ Hypotheses make_hypotheses(const Design& design, const Model& baseline) {
     all.parts.base = baseline;
   else
     all.parts = take_apart(design, baseline);
+  all.said = said_unfiltered(design, all.parts,
+                             solve(stack(all.parts.base, even_weights(design))).coefficients);
   for (std::size_t i = 0; i < all.parts.deviations.size(); ++i) {
     const Term& term = all.parts.deviations[i];
     add_hypothesis(-1 - static_cast<int>(i), *term.candidate, all);
@@ -96,22 +114,15 @@ Hypotheses make_hypotheses(const Design& design, const Model& baseline) {
     const Candidate& source = problem.library[c];
     if (source.nuisance) continue;
     add_hypothesis(static_cast<int>(c), source, all);
-    if (source.kind != CandidateKind::delay) {
-      add_grid(source, all);
-      continue;
-    }
-    all.list.back().shapes.push_back(static_cast<int>(all.shapes.size()));
-    all.shapes.push_back({static_cast<int>(all.list.size()) - 1,
-                          VectorXd::Zero(1),
-                          delay_of_model(design, all.parts.base, source),
-                          {}});
+    add_grid(source, all);
   }
   share_priors(all.list);
   tbb::parallel_for(0, static_cast<int>(all.shapes.size()), [&](int i) {
     Shape& shape = all.shapes[static_cast<std::size_t>(i)];
     if (shape.columns.empty())
-      shape.columns = design.columns(*all.list[static_cast<std::size_t>(shape.hypothesis)].source,
-                                     shape.nonlinear);
+      shape.columns =
+          columns_of(design, all, *all.list[static_cast<std::size_t>(shape.hypothesis)].source,
+                     shape.nonlinear);
   });
   return all;
 }
@@ -119,7 +130,7 @@ Hypotheses make_hypotheses(const Design& design, const Model& baseline) {
 void add_shape(const Design& design, int hypothesis, const VectorXd& nonlinear, Hypotheses& all) {
   Hypothesis& h = all.list[static_cast<std::size_t>(hypothesis)];
   h.shapes.push_back(static_cast<int>(all.shapes.size()));
-  all.shapes.push_back({hypothesis, nonlinear, design.columns(*h.source, nonlinear), {}});
+  all.shapes.push_back({hypothesis, nonlinear, columns_of(design, all, *h.source, nonlinear), {}});
 }
 
 Term term_of(const Hypotheses& all, int shape) {

@@ -34,6 +34,8 @@ struct Hypotheses {
   DeviationTerms parts;  ///< the model; owns what hypotheses point to
   std::vector<Hypothesis> list;
   std::vector<Shape> shapes;
+  /// Per segment, in its recording's samples: what the model says, which a delay moves.
+  std::vector<Eigen::VectorXd> said;
 };
 
 /// `baseline`: of baseline_model(), its nonlinear parameters fitted. Where the problem has no

@@ -19,12 +19,6 @@ Index edge_samples(const Settings& settings, double step) {
   return static_cast<Index>(std::lround(settings.edge_s / step));
 }
 
-bool acts_on(const Candidate& candidate, int channel) {
-  return candidate.channels.empty() ||
-         std::find(candidate.channels.begin(), candidate.channels.end(), channel) !=
-             candidate.channels.end();
-}
-
 // Half the work of a frictional drive lies below 40 Hz; more band costs time and adds noise.
 constexpr double kBand = 100.0;
 
@@ -186,10 +180,20 @@ VectorXd Design::at_instants(int segment, const VectorXd& as_given) const {
   return out;
 }
 
+bool acts_on(const Candidate& candidate, int channel) {
+  return candidate.channels.empty() ||
+         std::find(candidate.channels.begin(), candidate.channels.end(), channel) !=
+             candidate.channels.end();
+}
+
+VectorXd Design::in_band(int segment, const VectorXd& raw, double advance) const {
+  return seen_band(segment, filtered(segment, raw, advance));
+}
+
 VectorXd Design::target(int segment, double advance) const {
   const Segment& s = segments_[static_cast<std::size_t>(segment)];
   const VectorXd& raw = recording(s.recording).target[static_cast<std::size_t>(s.channel)];
-  const VectorXd band = seen_band(segment, filtered(segment, raw, advance));
+  const VectorXd band = in_band(segment, raw, advance);
   const std::optional<VectorXd> said = known(segment, 0);
   return said ? VectorXd(band - *said) : band;
 }

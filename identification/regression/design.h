@@ -78,6 +78,9 @@ class SharedColumns {
   std::shared_ptr<Held> held_;
 };
 
+/// Whether a candidate is asked for a channel's columns.
+bool acts_on(const Candidate& candidate, int channel);
+
 /// Filters what a problem holds. Keeps a reference to the problem. Logs sampled at more than twelve
 /// times the band are thinned first, every signal by the same zero-phase filter: no regressor needs
 /// more samples, and the work of evaluating them is what a long log costs.
@@ -132,6 +135,9 @@ class Design {
   double unit(int channel) const { return units_(channel); }
   /// Of each channel one; channels of one noise group get their root mean square.
   void set_units(const Eigen::VectorXd& units);
+
+  /// A signal of the recording in a segment's band, `advance` [s] later.
+  Eigen::VectorXd in_band(int segment, const Eigen::VectorXd& raw, double advance = 0.0) const;
 
   /// A signal of the recording at the decimated instants, unfiltered, for plots and splines.
   Eigen::VectorXd at_instants(int segment, const Eigen::VectorXd& raw) const;

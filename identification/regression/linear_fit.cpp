@@ -24,11 +24,6 @@ Index width(const Term& term) {
   return 0;
 }
 
-bool delays(const Candidate& delay, int channel) {
-  return delay.channels.empty() ||
-         std::count(delay.channels.begin(), delay.channels.end(), channel);
-}
-
 }  // namespace
 
 void set_advance(const Design& design, std::size_t segment, double advance, Model& model) {
@@ -277,7 +272,7 @@ std::vector<SharedColumns> term_rates(const Design& design, const Model& model,
     bool wanted = false;
     for (std::size_t s = 0; s < term.columns.size(); ++s)
       wanted |=
-          term.columns[s].cols() > 0 && (!delay || delays(*delay, design.segments()[s].channel));
+          term.columns[s].cols() > 0 && (!delay || acts_on(*delay, design.segments()[s].channel));
     // A delay's own rate is second order.
     if (wanted && term.candidate->kind != CandidateKind::delay) {
       rates.push_back(
@@ -299,7 +294,7 @@ BandColumns prediction_rate(const Design& design, const Model& model,
   BandColumns result(design.segments().size());
   for (std::size_t s = 0; s < result.size(); ++s) {
     const int channel = design.segments()[s].channel;
-    if (!delays(delay, channel)) continue;
+    if (!acts_on(delay, channel)) continue;
     result[s] = predict(all, coefficients, s);
     const auto add = [&](const VectorXd& rate) {
       if (result[s].size() == 0)

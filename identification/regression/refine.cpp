@@ -243,10 +243,15 @@ void append_term(const Design& design, const Weights& weights, const Candidate& 
     model.terms.push_back(make_term(design, candidate, nonlinear, false));
     return;
   }
+  const NonlinearParameter& range = candidate.nonlinear.front();
+  const double delay = std::clamp(nonlinear(0), range.low, range.high);
   const VectorXd coefficients = solve(stack(model, weights)).coefficients;
-  model.terms.push_back({&candidate, false, VectorXd::Zero(1),
+  model.terms.push_back({&candidate, false, VectorXd::Constant(1, delay),
                          prediction_rate(design, model, term_rates(design, model, &candidate),
                                          coefficients, candidate)});
+  for (std::size_t s = 0; delay != 0.0 && s < model.advance.size(); ++s)
+    if (model.terms.back().columns[s].cols() > 0)
+      set_advance(design, s, model.advance[s] - delay, model);
 }
 
 void remove_term(const Design& design, std::size_t index, Model& model) {

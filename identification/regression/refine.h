@@ -19,7 +19,8 @@ Term make_term(const Design& design, const Candidate& candidate, const Eigen::Ve
 BandColumns shape_rate(const Design& design, const Term& term, Eigen::Index parameter,
                        const Eigen::VectorXd& coefficients);
 
-/// Appends a term; a delay gets the time derivative of the model's present prediction.
+/// Appends a term; a delay gets the time derivative of the model's present prediction, and the
+/// target is moved by it.
 void append_term(const Design& design, const Weights& weights, const Candidate& candidate,
                  const Eigen::VectorXd& nonlinear, Model& model);
 

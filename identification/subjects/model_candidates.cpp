@@ -133,7 +133,7 @@ Candidate sensor_error(const EffectPlace& place, const EffortModel& effort,
 Candidate delay_candidate(const EffectPlace& place) {
   Candidate c = of_effect("delay", place, {"delay", "s", 0.0, 1e300, false, {}});
   c.kind = CandidateKind::delay;
-  c.nonlinear = {{"delay", "s", -0.02, 0.02, 1, false}};
+  c.nonlinear = {{"delay", "s", -0.02, 0.02, 9, false}};
   return c;
 }
 

@@ -184,7 +184,7 @@ void add_dynamics(const DriveScales& s, std::vector<Candidate>& list) {
         return in_play(log, p(0)) * log.qdd.col(0).array();
       },
       "the drive would be heavier inside the gap"));
-  Candidate delay = make("delay", {{"delay", "s", 0.0, 0.02, 1, false}}, {positive("delay")}, {},
+  Candidate delay = make("delay", {{"delay", "s", -0.02, 0.02, 9, false}}, {positive("delay")}, {},
                          "the force would follow the motion");
   delay.kind = CandidateKind::delay;
   list.push_back(delay);
