@@ -34,12 +34,16 @@ Gain HeldOutJudge::confirmed(const Model& whole, std::size_t term) const {
   const Whitening& whitening = found_.whitening;
   const auto [with, without] = compared(design_, whole, term, whitening.training);
   const VectorXd channels = channels_of(design_, whole.terms[term]);
-  const auto losses = [&](const Model& model) {
+  const std::vector<Segment>& segments = design_.segments();
+  const auto errors = [&](const Model& model) {
     const LinearFit fit = solve(stack(model, whitening.training));
-    return VectorXd(held_out(design_, model, fit, settings_.blocks, &whitening.held_out).plain *
-                    channels);
+    std::vector<VectorXd> of_segment =
+        held_out_errors(design_, model, fit, settings_.blocks, whitening.held_out);
+    for (std::size_t s = 0; s < segments.size(); ++s)
+      if (channels(segments[s].channel) == 0.0) of_segment[s].resize(0);
+    return of_segment;
   };
-  return block_bootstrap_gain(losses(without), losses(with), 0.95, settings_.seed);
+  return likelihood_gain(errors(without), errors(with));
 }
 
 void HeldOutJudge::measure(const Selection& selection, std::size_t term, NamedCause& cause) const {

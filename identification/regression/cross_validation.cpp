@@ -244,6 +244,57 @@ BlockLosses held_out(const Design& design, const Model& model, const LinearFit& 
   return losses;
 }
 
+std::vector<VectorXd> held_out_errors(const Design& design, const Model& model,
+                                      const LinearFit& fit, int blocks, const Weights& whitening) {
+  int total = 0;
+  const std::vector<Stretch> stretches = cut(design, true, blocks, total);
+  const Index wide = first_columns(model).back();
+  std::vector<MatrixXd> rows;  // of every stretch: its active columns, and the target
+  std::vector<std::vector<PlainErrors>> of_block(static_cast<std::size_t>(total));
+  MatrixXd all = MatrixXd::Zero(wide + 1, wide + 1);
+  MatrixXd x;
+  std::size_t last = design.segments().size();
+  for (const Stretch& stretch : stretches) {
+    if (stretch.segment != last)
+      x = time_columns(design, model, &whitening[stretch.segment], stretch.segment);
+    last = stretch.segment;
+    const std::vector<Index> active = active_columns(model, stretch.segment);
+    const PlainErrors part = plain_errors(design, stretch, x, active, 1.0);
+    all(active, active) += part.gram;
+    of_block[static_cast<std::size_t>(stretch.block)].push_back(part);
+    rows.push_back(x.middleRows(stretch.first, stretch.count));
+  }
+  const std::vector<Index> nuisances = held_out_nuisances(design, model);
+  std::vector<VectorXd> errors(design.segments().size());
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const Stretch& stretch = stretches[i];
+    const VectorXd error =
+        block_error(fit, of_block[static_cast<std::size_t>(stretch.block)], nuisances, all);
+    VectorXd& sum = errors[stretch.segment];
+    const Index before = sum.size();
+    sum.conservativeResize(before + stretch.count);
+    sum.tail(stretch.count) = rows[i] * error(active_columns(model, stretch.segment));
+  }
+  return errors;
+}
+
+Gain likelihood_gain(const std::vector<VectorXd>& before, const std::vector<VectorXd>& after) {
+  double gained = 0.0, variance = 0.0, error = 0.0;
+  for (std::size_t s = 0; s < before.size(); ++s) {
+    const VectorXd of_row = before[s].cwiseAbs2() - after[s].cwiseAbs2();
+    gained += of_row.sum();
+    variance += of_row.squaredNorm();
+    error += before[s].squaredNorm();
+  }
+  Gain gain;
+  if (error <= 0.0) return gain;
+  constexpr double of_interval = 1.96;
+  gain.share = gained / error;
+  gain.low = (gained - of_interval * std::sqrt(variance)) / error;
+  gain.high = (gained + of_interval * std::sqrt(variance)) / error;
+  return gain;
+}
+
 Gain block_bootstrap_gain(const VectorXd& before, const VectorXd& after, double level,
                           unsigned seed) {
   Gain gain;
