@@ -212,8 +212,7 @@ VectorXd block_error(const LinearFit& fit, const std::vector<PlainErrors>& block
 
 }  // namespace
 
-BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks,
-                     const Weights* whitening) {
+BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks) {
   int total = 0;
   const std::vector<Stretch> stretches = cut(design, true, blocks, total);
   const Index wide = first_columns(model).back();
@@ -225,12 +224,11 @@ BlockLosses held_out(const Design& design, const Model& model, const LinearFit& 
   std::vector<Index> active;
   for (const Stretch& stretch : stretches) {
     if (stretch.segment != last) {
-      x = time_columns(design, model, whitening ? &(*whitening)[stretch.segment] : nullptr,
-                       stretch.segment);
+      x = time_columns(design, model, nullptr, stretch.segment);
       active = active_columns(model, stretch.segment);
       last = stretch.segment;
     }
-    const double unit = whitening ? 1.0 : design.unit(design.segments()[stretch.segment].channel);
+    const double unit = design.unit(design.segments()[stretch.segment].channel);
     const PlainErrors part = plain_errors(design, stretch, x, active, unit);
     all(active, active) += part.gram;
     plain[static_cast<std::size_t>(stretch.block)].push_back(part);

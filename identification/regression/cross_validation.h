@@ -25,10 +25,8 @@ BlockLosses cross_validate(const Design& design, const Model& model, const Weigh
                            int blocks);
 
 /// The same on the held-out logs with the training's coefficients. Per-log nuisances are fitted
-/// on the held-out log's other blocks. With `whitening`, of the held-out segments, the losses are
-/// of whitened rows.
-BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks,
-                     const Weights* whitening = nullptr);
+/// on the held-out log's other blocks.
+BlockLosses held_out(const Design& design, const Model& model, const LinearFit& fit, int blocks);
 
 /// A gain with its interval.
 struct Gain {
