@@ -515,57 +515,63 @@ static void call_guiding_friction(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    effects_guiding_friction(x + 0, y + 0);
+    effects_guiding_friction(x + 0, x + 11, y + 0);
 }
 static const double guiding_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
     1e-04, -50.0, 0.001, -10000.0};
 static const double guiding_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
     0.01, 50.0, 10.0, 10000.0};
+static const double guiding_friction_shape_low[] = {0.03};
+static const double guiding_friction_shape_high[] = {30.0};
 static const sinew_argument guiding_friction_inputs[] = {
     {"signals", "SI", 11, 1, guiding_friction_signals_low, guiding_friction_signals_high},
+    {"shape", "SI", 1, 1, guiding_friction_shape_low, guiding_friction_shape_high},
 };
 static const sinew_argument guiding_friction_outputs[] = {
-    {"columns", "SI", 2, 1, 0, 0},
+    {"columns", "SI", 1, 1, 0, 0},
 };
 
 static void call_motor_side_guiding(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    effects_motor_side_guiding(x + 0, y + 0);
+    effects_motor_side_guiding(x + 0, x + 11, y + 0);
 }
 static const double motor_side_guiding_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
     -1.0, 1e-04, -50.0, 0.001, -10000.0};
 static const double motor_side_guiding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
     0.01, 50.0, 10.0, 10000.0};
+static const double motor_side_guiding_shape_low[] = {0.03};
+static const double motor_side_guiding_shape_high[] = {30.0};
 static const sinew_argument motor_side_guiding_inputs[] = {
     {"signals", "SI", 11, 1, motor_side_guiding_signals_low, motor_side_guiding_signals_high},
+    {"shape", "SI", 1, 1, motor_side_guiding_shape_low, motor_side_guiding_shape_high},
 };
 static const sinew_argument motor_side_guiding_outputs[] = {
-    {"columns", "SI", 2, 1, 0, 0},
+    {"columns", "SI", 1, 1, 0, 0},
 };
 
 static void call_guiding_presliding(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    effects_guiding_presliding(x + 0, x + 11, x + 12, y + 0, y + 2);
+    effects_guiding_presliding(x + 0, x + 11, x + 13, y + 0, y + 1);
 }
 static const double guiding_presliding_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
     -1.0, 1e-04, -50.0, 0.001, -10000.0};
 static const double guiding_presliding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
     0.01, 50.0, 10.0, 10000.0};
-static const double guiding_presliding_shape_low[] = {3e-06};
-static const double guiding_presliding_shape_high[] = {0.001};
+static const double guiding_presliding_shape_low[] = {0.03, 3e-06};
+static const double guiding_presliding_shape_high[] = {30.0, 0.001};
 static const double guiding_presliding_memory_low[] = {-1.0};
 static const double guiding_presliding_memory_high[] = {1.0};
 static const sinew_argument guiding_presliding_inputs[] = {
     {"signals", "SI", 11, 1, guiding_presliding_signals_low, guiding_presliding_signals_high},
-    {"shape", "SI", 1, 1, guiding_presliding_shape_low, guiding_presliding_shape_high},
+    {"shape", "SI", 2, 1, guiding_presliding_shape_low, guiding_presliding_shape_high},
     {"memory", "1", 1, 1, guiding_presliding_memory_low, guiding_presliding_memory_high},
 };
 static const sinew_argument guiding_presliding_outputs[] = {
-    {"columns", "SI", 2, 1, 0, 0},
+    {"columns", "SI", 1, 1, 0, 0},
     {"next", "1", 1, 1, 0, 0},
 };
 
@@ -753,11 +759,11 @@ static const sinew_function functions[] = {
         call_link_resonance},
     {"effects_link_backlash", 3, 2, 15, 3, link_backlash_inputs, link_backlash_outputs,
         call_link_backlash},
-    {"effects_guiding_friction", 1, 1, 11, 2, guiding_friction_inputs, guiding_friction_outputs,
+    {"effects_guiding_friction", 2, 1, 12, 1, guiding_friction_inputs, guiding_friction_outputs,
         call_guiding_friction},
-    {"effects_motor_side_guiding", 1, 1, 11, 2, motor_side_guiding_inputs,
+    {"effects_motor_side_guiding", 2, 1, 12, 1, motor_side_guiding_inputs,
         motor_side_guiding_outputs, call_motor_side_guiding},
-    {"effects_guiding_presliding", 3, 2, 13, 3, guiding_presliding_inputs,
+    {"effects_guiding_presliding", 3, 2, 14, 2, guiding_presliding_inputs,
         guiding_presliding_outputs, call_guiding_presliding},
     {"effects_force_sensor_scale", 1, 1, 11, 1, force_sensor_scale_inputs,
         force_sensor_scale_outputs, call_force_sensor_scale},

@@ -55,18 +55,19 @@ Flags reversing(const VectorXd& velocity, double step, double cutoff) {
 }
 
 /// Samples of rest, each stretch of them with the way into and out of it.
-Flags resting(const VectorXd& velocity, double step, double cutoff) {
+Flags resting(const VectorXd& velocity, double step, double cutoff, double still) {
   const VectorXd speed = velocity.cwiseAbs();
   const double fastest = speed.maxCoeff();
+  const double slow = std::max(kStill * fastest, still);
   const auto shortest = static_cast<Index>(std::ceil(kShortest / step));
   const auto longest = static_cast<Index>(kLongestWay / step);
   const auto smoothing = static_cast<Index>(std::ceil(kSmoothing / (cutoff * step)));
   Flags rest = Flags::Constant(speed.size(), false);
   for (Index k = 0; k < speed.size();) {
     Index end = k;
-    while (end < speed.size() && speed(end) < kStill * fastest) ++end;
+    while (end < speed.size() && speed(end) < slow) ++end;
     if (end - k >= shortest) {
-      const double fast = kUnderWay * fastest;
+      const double fast = std::max(kUnderWay * fastest, still);
       const Index before = smoothing + way_out(speed, k, -1, longest, fast);
       const Index after = smoothing + way_out(speed, end - 1, 1, longest, fast);
       const Index from = std::max<Index>(0, k - before);
@@ -94,14 +95,24 @@ std::vector<Standstill> stretches(const Flags& flags, const VectorXd& time) {
 }  // namespace
 
 std::vector<Standstill> find_standstills(const VectorXd& time,
-                                         const std::vector<VectorXd>& velocities, double cutoff) {
+                                         const std::vector<VectorXd>& velocities, double cutoff,
+                                         double still) {
   if (time.size() < 2) return {};
   const double step = (time(time.size() - 1) - time(0)) / static_cast<double>(time.size() - 1);
   Flags rest = Flags::Constant(time.size(), false);
-  for (const VectorXd& velocity : velocities) rest = rest || resting(velocity, step, cutoff);
+  for (const VectorXd& velocity : velocities) rest = rest || resting(velocity, step, cutoff, still);
   const Flags all = rest || reversing(velocities.front(), step, cutoff);
   if (!too_many(all)) return stretches(all, time);
   return too_many(rest) ? std::vector<Standstill>{} : stretches(rest, time);
+}
+
+std::vector<Standstill> united(const std::vector<Standstill>& first,
+                               const std::vector<Standstill>& second, const VectorXd& time) {
+  Flags flags = Flags::Constant(time.size(), false);
+  for (const auto* list : {&first, &second})
+    for (const Standstill& s : *list)
+      flags = flags || (time.array() >= s.from && time.array() <= s.to);
+  return too_many(flags) ? first : stretches(flags, time);
 }
 
 VectorXd motion_window(const std::vector<Standstill>& stretches, const VectorXd& time) {

@@ -14,10 +14,15 @@ namespace sinew::diagnosis {
 /// it, where one of its velocities, differently smoothed and as long as `time`, is next to zero for
 /// longer than any reversal takes. It reverses where the first of them changes sign: over the time
 /// that its smoother, which passes what is below `cutoff` [Hz], spreads it. Reversals are left out,
-/// and then the rests, where next to nothing would be left of the log.
+/// and then the rests, where next to nothing would be left of the log. still: speed that is rest
+/// even where the joint was never fast.
 std::vector<Standstill> find_standstills(const Eigen::VectorXd& time,
                                          const std::vector<Eigen::VectorXd>& velocities,
-                                         double cutoff);
+                                         double cutoff, double still = 0.0);
+
+/// Both together; the first ones alone, where next to nothing would be left of the log.
+std::vector<Standstill> united(const std::vector<Standstill>& first,
+                               const std::vector<Standstill>& second, const Eigen::VectorXd& time);
 
 /// 1 in motion, 0 at standstill, with smooth flanks between, at the times [s].
 Eigen::VectorXd motion_window(const std::vector<Standstill>& stretches,

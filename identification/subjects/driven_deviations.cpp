@@ -133,7 +133,8 @@ void DrivenSubject::add_mechanism_deviations() {
       add_deviation(candidate, origin, kMassAndFirstMoments);
     else if (origin.effect == "inertial_parameters" && !has_moments)
       add_deviation(candidate, origin);
-    else if (origin.effect == "gravity" || (!origin.tendon.empty() && candidate.nonlinear.empty()))
+    else if (origin.effect == "gravity" ||
+             (!origin.tendon.empty() && candidate.nonlinear.empty() && candidate.secant == 0.0))
       add_deviation(candidate, origin);
   }
 }

@@ -36,7 +36,7 @@ void DrivenSubject::add_mechanism_candidates() {
         take(std::move(candidate), {effect, 0, {}, {}});
     }
   if (tendons_)
-    for (TendonColumns::AtTendon& each : tendons_->candidates())
+    for (TendonColumns::AtTendon& each : tendons_->candidates(problem_.training))
       take(std::move(each.candidate), {each.effect, 0, {}, each.place});
 }
 

@@ -193,12 +193,22 @@ void DrivenSubject::expect_motion(Recording& log) const {
   log.qdd(Eigen::all, noisy) = motion.qdd;
 }
 
-/// At rest a joint's friction is anything up to its level, whatever its tendons do.
+/// At rest friction is anything up to its level: a joint's, whatever its tendons do, and a guide's
+/// at each joint that its tendon passes.
 void DrivenSubject::add_standstills(Recording& log) const {
   const double cutoff = motion_cutoff(log.step);
   for (Index c = 0; c < log.q.cols(); ++c)
     log.standstills.push_back(
         find_standstills(log.time, {log.qd.col(c), log.signals["smooth_qd"].col(c)}, cutoff));
+  if (!tendons_) return;
+  const Index n = tendons_->coordinates();
+  const std::vector<std::vector<Standstill>> at_tendons = tendons_->standstills(log, cutoff);
+  for (Index j = 0; j < n; ++j)
+    for (std::size_t t = 0; t < at_tendons.size(); ++t) {
+      std::vector<Standstill>& all = log.standstills[static_cast<std::size_t>(j)];
+      if (!log.signals.at("moment_arm").col(static_cast<Index>(t) * n + j).isZero(0.0))
+        all = united(all, at_tendons[t], log.time);
+    }
 }
 
 /// What the model says.
@@ -209,6 +219,7 @@ void DrivenSubject::add_model(Recording& log) const {
   log.signals["effort"] = effort_of_smooth_load(log);
   log.known.clear();
   for (Index c = 0; c < said.cols(); ++c) log.known.push_back(said.col(c));
+  if (tendons_) tendons_->add_agreeing_tension(log);
 }
 
 /// What candidates act by.

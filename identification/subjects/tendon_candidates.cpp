@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/subjects/tendon_candidates.h"
 
-#include <numbers>
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
 
 #include "generator/assemble.h"
 #include "identification/logs/filter.h"
+#include "identification/regression/standstill.h"
 #include "identification/subjects/effect_candidate.h"
 #include "identification/subjects/model_candidates.h"
 #include "symbolic/effects/effects.h"
@@ -20,8 +23,15 @@ using Eigen::VectorXd;
 /// Hz. A sensor's noise is in the joints' torques too: a term with all of it would find itself.
 constexpr double slow_force_cutoff = 5.0;
 
+/// Standard deviation of a pulley's radius, of a guide's place as a share of the moment arm, and of
+/// a force sensor's scale, before any log was seen: as of what else a drawing says.
+constexpr double kDrawnArm = 0.2;
+
+/// Of the secants: a tendon's arm that much larger.
+constexpr double kFarArm = 0.2;
+
 /// The signals of an effect at a tendon, as a recording of one axis.
-Recording at_tendon(const Recording& log, Index tendon, bool motor_side) {
+Recording at_tendon(const Recording& log, Index tendon, bool motor_side, const VectorXd& force) {
   const std::string end = motor_side ? "motor_side" : "tendon";
   Recording r;
   r.step = log.step;
@@ -30,7 +40,7 @@ Recording at_tendon(const Recording& log, Index tendon, bool motor_side) {
   r.q = log.signals.at("bending").col(tendon);
   r.qd = log.signals.at(end + "_rate").col(tendon);
   r.qdd = MatrixXd::Zero(r.q.rows(), 1);
-  r.load = log.signals.at("slow_tension").col(tendon);
+  r.load = force;
   r.signals["direction"] = log.signals.at(end + "_direction").col(tendon);
   r.signals["jounce"] = MatrixXd::Zero(r.q.rows(), 1);
   return r;
@@ -70,7 +80,7 @@ void TendonColumns::add_signals(Recording& log) const {
   log.signals["slow_tension"] =
       differentiate(log.signals.at("tension"), log.step, slow_force_cutoff).q;
   const auto direction = [this](const MatrixXd& rate) -> MatrixXd {
-    return (rate.array() / slip_speed_).atan().matrix() * (2.0 / std::numbers::pi);
+    return rate.array() / (rate.array().square() + slip_speed_ * slip_speed_).sqrt();
   };
   log.signals["tendon_direction"] = direction(rates);
   if (motor_radius_) {
@@ -81,6 +91,72 @@ void TendonColumns::add_signals(Recording& log) const {
   log.signals["moment_arm"] = std::move(arms);
   log.signals["tendon_rate"] = std::move(rates);
   log.signals["bending"] = std::move(bending);
+}
+
+/// How much more force than measured in one tendon, whose moment arms are larger than the model's
+/// by that share, is nearest to the measured ones and moves the joints as the model says.
+VectorXd TendonColumns::lacking_tension(const Recording& log, Index tendon, double larger) const {
+  const Index n = coordinates_, m = static_cast<Index>(names_.size());
+  const MatrixXd& arms = log.signals.at("moment_arm");
+  MatrixXd lacking = joint_torque(log);  // of the joints
+  for (Index j = 0; j < n; ++j) lacking.col(j) -= log.known[static_cast<std::size_t>(j)];
+  lacking -= larger * (arms.middleCols(tendon * n, n).array().colwise() *
+                       log.signals.at("tension").col(tendon).array())
+                          .matrix();
+  // Joints x 1: what the tendon has of the least forces that make up for a unit of each joint's.
+  const auto share = [&](Index row) -> VectorXd {
+    MatrixXd P = VectorXd(arms.row(row)).reshaped(n, m).transpose();
+    P.row(tendon) *= 1.0 + larger;
+    return (P.transpose() * P).ldlt().solve(P.row(tendon).transpose());
+  };
+  if ((arms.rowwise() - arms.row(0)).isZero(0.0)) return lacking * share(0);
+  for (Index k = 0; k < arms.rows(); ++k) lacking(k, 0) = lacking.row(k).dot(share(k));
+  return lacking.col(0);
+}
+
+VectorXd TendonColumns::agreeing_tension(const Recording& log, Index tendon, double larger) const {
+  return log.signals.at("slow_tension").col(tendon) +
+         differentiate(lacking_tension(log, tendon, larger), log.step, slow_force_cutoff).q;
+}
+
+void TendonColumns::add_agreeing_tension(Recording& log) const {
+  MatrixXd agreeing(log.q.rows(), static_cast<Index>(names_.size()));
+  MatrixXd within = log.signals.at("tension");
+  for (Index t = 0; t < agreeing.cols(); ++t) {
+    const VectorXd lacking = lacking_tension(log, t, 0.0);
+    agreeing.col(t) = log.signals.at("slow_tension").col(t) +
+                      differentiate(lacking, log.step, slow_force_cutoff).q;
+    within.col(t) += 0.5 * lacking;
+  }
+  log.signals["agreeing_tension"] = std::move(agreeing);
+  log.signals["tension_within_guide"] = std::move(within);
+}
+
+std::vector<std::vector<Standstill>> TendonColumns::standstills(const Recording& log,
+                                                                double cutoff) const {
+  constexpr double kSlips = 3.0;  // times the speed over which friction turns: 95 % of its level
+  const MatrixXd& arms = log.signals.at("moment_arm");
+  const MatrixXd smooth = log.signals.at("smooth_qd").leftCols(coordinates_);
+  std::vector<std::vector<Standstill>> all;
+  for (Index t = 0; t < static_cast<Index>(names_.size()); ++t) {
+    const VectorXd rate =
+        arms.middleCols(t * coordinates_, coordinates_).cwiseProduct(smooth).rowwise().sum();
+    all.push_back(find_standstills(log.time, {log.signals.at("tendon_rate").col(t), rate}, cutoff,
+                                   kSlips * slip_speed_));
+  }
+  return all;
+}
+
+/// What is known of the share before any log: the drawing's arms are right but for so much.
+void TendonColumns::expect_drawn(const std::vector<Recording>& logs, Index tendon,
+                                 Candidate& c) const {
+  double arm = 0.0;
+  for (const Recording& log : logs)
+    arm = std::max(arm, log.signals.at("moment_arm")
+                            .middleCols(tendon * coordinates_, coordinates_)
+                            .cwiseAbs()
+                            .maxCoeff());
+  for (LinearParameter& p : c.linear) p.spread = kDrawnArm * (p.unit == "m" ? arm : 1.0);
 }
 
 MatrixXd TendonColumns::joint_torque(const Recording& log) const {
@@ -102,29 +178,39 @@ Candidate TendonColumns::candidate(const Effect& effect, Index tendon) const {
   c.channels.clear();
   const Index n = coordinates_;
   const double motor_arm = effect.felt_by_motor ? motor_radius_.value_or(0.0) : 0.0;
+  if (effect.scales_force && !effect.changes_arm) c.secant = kFarArm;
   c.columns = [regressor = Regressor(effect), tendon, n, motor_arm, motor_side = effect.motor_side,
-               changes_arm = effect.changes_arm](const Recording& log, int channel,
-                                                 const VectorXd& shape) -> MatrixXd {
+               changes_arm = effect.changes_arm, scales_force = effect.scales_force,
+               is_secant = c.secant != 0.0, columns = *this](const Recording& log, int channel,
+                                                             const VectorXd& shape) -> MatrixXd {
     const VectorXd arm = arm_at(log, tendon, n, channel, motor_arm);
     if (arm.isZero(0.0)) return MatrixXd(log.q.rows(), 0);
+    const bool away = is_secant && shape.size() > 0;
+    const VectorXd force =
+        away ? columns.agreeing_tension(log, tendon, shape(0))
+             : log.signals.at(scales_force ? "agreeing_tension" : "tension_within_guide")
+                   .col(tendon);
+    Recording r = at_tendon(log, tendon, motor_side, force);
     if (changes_arm) {
-      Recording r = at_tendon(log, tendon, motor_side);
       r.q = log.q.col(channel);
       return effect_columns(regressor, r, 0, shape);
     }
-    const MatrixXd lost = effect_columns(regressor, at_tendon(log, tendon, motor_side), 0, shape);
+    const MatrixXd lost = effect_columns(regressor, r, 0, away ? VectorXd() : shape);
     return lost.array().colwise() * arm.array();
   };
   return c;
 }
 
-std::vector<TendonColumns::AtTendon> TendonColumns::candidates() const {
+std::vector<TendonColumns::AtTendon> TendonColumns::candidates(
+    const std::vector<Recording>& logs) const {
   std::vector<AtTendon> list;
   for (std::size_t t = 0; t < names_.size(); ++t)
-    for (const Effect& effect : effects())
-      if (effect.at_tendon && (!effect.motor_side || motor_radius_))
-        list.push_back(
-            {candidate(effect, static_cast<Index>(t)), effect.id, tendon_place(names_[t])});
+    for (const Effect& effect : effects()) {
+      if (!effect.at_tendon || (effect.motor_side && !motor_radius_)) continue;
+      const auto tendon = static_cast<Index>(t);
+      list.push_back({candidate(effect, tendon), effect.id, tendon_place(names_[t])});
+      if (effect.scales_force) expect_drawn(logs, tendon, list.back().candidate);
+    }
   return list;
 }
 

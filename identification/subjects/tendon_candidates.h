@@ -25,6 +25,15 @@ class TendonColumns {
   /// tendons), where there are motors also "motor_side_rate" and "motor_side_direction".
   void add_signals(Recording& log) const;
 
+  /// From what the model says of the joints (`known`): signal "agreeing_tension" (samples x
+  /// tendons, N), the slow part of the forces nearest to the measured ones that move the joints
+  /// like that. Joints' efforts are made of the measured forces: a share of one of these would
+  /// explain the efforts by themselves, friction and all.
+  void add_agreeing_tension(Recording& log) const;
+
+  /// Of each tendon, where it does not move in its guide. `cutoff` [Hz]: the smoother's.
+  std::vector<std::vector<Standstill>> standstills(const Recording& log, double cutoff) const;
+
   /// samples x coordinates: -P^T f, the joint torques of the measured forces (5.11).
   Eigen::MatrixXd joint_torque(const Recording& log) const;
 
@@ -33,12 +42,17 @@ class TendonColumns {
     Candidate candidate;
     std::string effect, place;
   };
-  std::vector<AtTendon> candidates() const;
+  /// logs: as add_signals() left them; they say how large moment arms are.
+  std::vector<AtTendon> candidates(const std::vector<Recording>& logs) const;
 
   Eigen::Index coordinates() const { return coordinates_; }
 
  private:
   Candidate candidate(const Effect& effect, Eigen::Index tendon) const;
+  Eigen::VectorXd lacking_tension(const Recording& log, Eigen::Index tendon, double larger) const;
+  /// Of one tendon, whose moment arms are larger than the model's by that share.
+  Eigen::VectorXd agreeing_tension(const Recording& log, Eigen::Index tendon, double larger) const;
+  void expect_drawn(const std::vector<Recording>& logs, Eigen::Index tendon, Candidate& c) const;
 
   std::vector<std::string> names_;
   double slip_speed_;

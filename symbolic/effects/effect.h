@@ -109,6 +109,9 @@ struct Effect {
   /// At a tendon: its term is the force times a change of the moment arm [m], at every joint that
   /// the tendon passes; position is the joint's angle.
   bool changes_arm = false;
+  /// At a tendon: its term is a share of the force however the tendon moves, so that forces with
+  /// which the joints move as the model says go in, and not those that were measured.
+  bool scales_force = false;
   bool baseline_only = false;  ///< how the model's own friction turns: fitted, never named
   /// The links behind the joint's gear move otherwise than its sensor says. Other joints that carry
   /// them feel that, in the ratio of their column of the mass matrix.

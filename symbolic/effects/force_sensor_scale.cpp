@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// At a tendon: load is the measured force.
+// At a tendon: load is the force.
 #include "symbolic/effects/effects.h"
 
 namespace sinew {
@@ -15,6 +15,7 @@ Effect force_sensor_scale() {
   e.experiment = "the tendon pulled against a known weight";
   e.limit = "a sensor that works is not that far off";
   e.at_tendon = true;
+  e.scales_force = true;
   e.felt_by_motor = true;
   return e;
 }

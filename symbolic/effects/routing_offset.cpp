@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// At a tendon: load is the measured force, position the joint's angle. A guide that sits off its
+// At a tendon: load is the force, position the joint's angle. A guide that sits off its
 // place by (x, y) in the joint's plane turns with the joint, and the moment arm with it.
 #include "symbolic/effects/effects.h"
 
@@ -17,6 +17,7 @@ Effect routing_offset() {
   e.experiment = "the joint turned slowly over its range, the tendon's way measured";
   e.limit = "no guide of the drawing is that far off";
   e.at_tendon = true;
+  e.scales_force = true;
   e.changes_arm = true;
   return e;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// At a tendon: load is the measured force. The joints feel it with other moment arms than the
+// At a tendon: load is the force. The joints feel it with other moment arms than the
 // model's; the motor at its other end does not.
 #include "symbolic/effects/effects.h"
 
@@ -16,6 +16,7 @@ Effect tendon_radius() {
   e.experiment = "the joint turned by a known angle, the tendon's way measured";
   e.limit = "no pulley of the drawing is that far off";
   e.at_tendon = true;
+  e.scales_force = true;
   return e;
 }
 

@@ -216,7 +216,7 @@ class EffortWriter {
                      {s.velocity, rate},
                      {s.load, tension_.symbols[tendon]},
                      {s.step, step_.symbols[0]},
-                     {s.direction, soft_sign(rate, model_.tendons.slip_speed)}};
+                     {s.direction, tendon_direction(rate)}};
     take_form(find_effect(each.effect), each.shape, map);
     return map;
   }
@@ -257,6 +257,12 @@ class EffortWriter {
   ex soft_sign(const ex& velocity, double speed) {
     return list_.define("direction", 2 / exact_number(std::numbers::pi) *
                                          GiNaC::atan(velocity / exact_number(speed)));
+  }
+
+  /// As the models of guides have it (4.1): beyond a few times that speed independent of it.
+  ex tendon_direction(const ex& rate) {
+    const ex turns = exact_number(model_.tendons.slip_speed);
+    return list_.define("direction", rate / GiNaC::sqrt(rate * rate + turns * turns));
   }
 
   ex sum_of_columns(const Effect& effect, const IdentifiedEffect& each, const GiNaC::exmap& map) {

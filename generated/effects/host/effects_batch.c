@@ -386,24 +386,26 @@ void effects_link_backlash_batch(int count, const double *SINEW_RESTRICT signals
 }
 
 void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT signals,
-    double *SINEW_RESTRICT columns)
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        columns[state] = signals[4 * n + state] * signals[6 * n + state];
-        columns[1 * n + state] = signals[state] * signals[4 * n + state] * signals[6 * n + state];
+        const double t1 = signals[4 * n + state] * signals[6 * n + state] * (signals[state]
+            + shape[state]);
+        columns[state] = t1;
     }
 }
 
 void effects_motor_side_guiding_batch(int count, const double *SINEW_RESTRICT signals,
-    double *SINEW_RESTRICT columns)
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        columns[state] = signals[4 * n + state] * signals[6 * n + state];
-        columns[1 * n + state] = signals[state] * signals[4 * n + state] * signals[6 * n + state];
+        const double t1 = signals[4 * n + state] * signals[6 * n + state] * (signals[state]
+            + shape[state]);
+        columns[state] = t1;
     }
 }
 
@@ -414,12 +416,11 @@ void effects_guiding_presliding_batch(int count, const double *SINEW_RESTRICT si
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[state];
+        const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[1 * n + state];
         const double t2 = sinew_exp(-sinew_abs(t1));
         const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0
             + memory[state]) * t2));
-        columns[state] = signals[4 * n + state] * t3;
-        columns[1 * n + state] = signals[state] * signals[4 * n + state] * t3;
+        columns[state] = signals[4 * n + state] * (signals[state] + shape[state]) * t3;
         next[state] = t3;
     }
 }

@@ -80,9 +80,9 @@ void effects_link_backlash_batch(int count, const double *SINEW_RESTRICT signals
     const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
     double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_guiding_friction_batch(int count, const double *SINEW_RESTRICT signals,
-    double *SINEW_RESTRICT columns);
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
 void effects_motor_side_guiding_batch(int count, const double *SINEW_RESTRICT signals,
-    double *SINEW_RESTRICT columns);
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
 void effects_guiding_presliding_batch(int count, const double *SINEW_RESTRICT signals,
     const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
     double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);

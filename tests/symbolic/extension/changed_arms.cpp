@@ -88,11 +88,12 @@ TEST_CASE("a guide off its place changes the moment arms with the joint's angle"
 
 TEST_CASE("a guide's friction builds up over the way on which the tendon creeps") {
   const Finger finger;
-  const std::vector<IdentifiedValue> shares{{"share_when_straight", 0.1, 0.0, "1"},
-                                            {"share_for_bending", 0.0, 0.0, "1/rad"}},
-      length{{"presliding_length", 1e-4, 0.0, "m"}};
+  const std::vector<IdentifiedValue> shares{{"friction_coefficient", 0.1, 0.0, "1"}},
+      length{{"bending_elsewhere", 1.0, 0.0, "rad"}, {"presliding_length", 1e-4, 0.0, "m"}},
+      straight{{"bending_elsewhere", 1.0, 0.0, "rad"}};
   const Function creeps = finger.effort("guiding_presliding", shares, length),
-                 slips = finger.effort("guiding_friction", shares), plain = finger.effort("", {});
+                 slips = finger.effort("guiding_friction", shares, straight),
+                 plain = finger.effort("", {});
   const auto lost = [&](const Function& f, double rate, double memory) {
     return outputs(f, 0.0, rate, memory)[0] - outputs(plain, 0.0, rate)[0];
   };

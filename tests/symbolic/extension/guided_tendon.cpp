@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "symbolic/extension/driven_model.h"
 #include "symbolic/expressions/evaluate_function.h"
+#include "symbolic/extension/driven_model.h"
 #include "symbolic/model/read_mechanism.h"
 
 using namespace sinew;
@@ -30,11 +30,10 @@ struct Guided {
   Function effort(const char* effect) const {
     Identified identified;
     if (*effect)
-      identified.effects.push_back(
-          {effect,
-           tendon_place(model.tendons.names.front()),
-           {},
-           {{"share_when_straight", 0.1, 0.0, "1"}, {"share_for_bending", 0.0, 0.0, "1/rad"}}});
+      identified.effects.push_back({effect,
+                                    tendon_place(model.tendons.names.front()),
+                                    {{"bending_elsewhere", 1.0, 0.0, "rad"}},
+                                    {{"friction_coefficient", 0.1, 0.0, "1"}}});
     return effort_function(model, identified);
   }
 };

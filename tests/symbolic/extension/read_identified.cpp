@@ -123,8 +123,8 @@ TEST_CASE("what no effect declares is refused with its place") {
       mistakes(entry("torsion_spring", "q1", value("coefficient", "stiffness", "-0.3", "N*m/rad"))),
       Contains("it would push away from the position"));
   CHECK_THAT(mistakes(entry("guiding_friction", "tendon f",
-                            value("coefficient", "share_when_straight", "1.5", "1") +
-                                value("coefficient", "share_for_bending", "0.1", "1/rad"))),
+                            value("shape", "bending_elsewhere", "1", "rad") +
+                                value("coefficient", "friction_coefficient", "1.5", "1"))),
              Contains("expected at least 0 and at most 1"));
   CHECK_THAT(mistakes(entry("delay", "q1", value("coefficient", "delay", "3", "s"))),
              Contains("longer than any bus"));
