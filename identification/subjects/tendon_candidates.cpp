@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/subjects/tendon_candidates.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -53,6 +53,16 @@ VectorXd arm_at(const Recording& log, Index tendon, Index joints, int channel, d
   return VectorXd::Constant(log.q.rows(), channel == joints + tendon ? motor_arm : 0.0);
 }
 
+/// Of so many joints those that one of some tendons passes, or the other way round.
+template <class Passes>
+std::vector<Index> passed(const std::vector<Index>& by, Index count, const Passes& passes) {
+  std::vector<Index> found;
+  for (Index i = 0; i < count; ++i)
+    if (std::any_of(by.begin(), by.end(), [&](Index k) { return passes(k, i); }))
+      found.push_back(i);
+  return found;
+}
+
 }  // namespace
 
 TendonColumns::TendonColumns(const DrivenModel& model, const std::filesystem::path& runtime)
@@ -63,6 +73,24 @@ TendonColumns::TendonColumns(const DrivenModel& model, const std::filesystem::pa
           assemble({model.name, "Motion of the tendons", "", {}}, {model.tendons.motion}, {}),
           runtime)) {
   if (model.tendons.motor) motor_radius_ = model.tendons.motor->pulley_radius;
+  for (std::size_t t = 0; t < names_.size(); ++t)
+    joined_.push_back(joined_to(model.tendons.motion, static_cast<Index>(t)));
+}
+
+/// Joints are joined by a tendon that passes both, tendons by a joint that both pass.
+TendonColumns::Joined TendonColumns::joined_to(const Function& motion, Index tendon) const {
+  const std::vector<GiNaC::ex>& arms = motion.outputs.front().values;
+  const auto passes = [&](Index t, Index j) {
+    return !arms[static_cast<std::size_t>(t * coordinates_ + j)].is_zero();
+  };
+  Joined joined{{}, {tendon}};
+  for (std::size_t before = 0; joined.tendons.size() > before;) {
+    before = joined.tendons.size();
+    joined.joints = passed(joined.tendons, coordinates_, passes);
+    joined.tendons = passed(joined.joints, static_cast<Index>(names_.size()),
+                            [&](Index j, Index t) { return passes(t, j); });
+  }
+  return joined;
 }
 
 void TendonColumns::add_signals(Recording& log) const {
@@ -96,18 +124,24 @@ void TendonColumns::add_signals(Recording& log) const {
 /// How much more force than measured in one tendon, whose moment arms are larger than the model's
 /// by that share, is nearest to the measured ones and moves the joints as the model says.
 VectorXd TendonColumns::lacking_tension(const Recording& log, Index tendon, double larger) const {
-  const Index n = coordinates_, m = static_cast<Index>(names_.size());
-  const MatrixXd& arms = log.signals.at("moment_arm");
-  MatrixXd lacking = joint_torque(log);  // of the joints
-  for (Index j = 0; j < n; ++j) lacking.col(j) -= log.known[static_cast<std::size_t>(j)];
-  lacking -= larger * (arms.middleCols(tendon * n, n).array().colwise() *
-                       log.signals.at("tension").col(tendon).array())
-                          .matrix();
-  // Joints x 1: what the tendon has of the least forces that make up for a unit of each joint's.
+  const auto& [joints, tendons] = joined_[static_cast<std::size_t>(tendon)];
+  const Index own = std::find(tendons.begin(), tendons.end(), tendon) - tendons.begin();
+  std::vector<Index> columns;  // of the moment arms, tendon by tendon
+  for (const Index t : tendons)
+    for (const Index j : joints) columns.push_back(t * coordinates_ + j);
+  const auto n = static_cast<Index>(joints.size()), m = static_cast<Index>(tendons.size());
+  MatrixXd arms = log.signals.at("moment_arm")(Eigen::all, columns);
+  arms.middleCols(own * n, n) *= 1.0 + larger;
+  const MatrixXd tension = log.signals.at("tension")(Eigen::all, tendons);
+  MatrixXd lacking(arms.rows(), n);  // of the joints
+  for (Index j = 0; j < n; ++j)
+    lacking.col(j) = -log.known[static_cast<std::size_t>(joints[static_cast<std::size_t>(j)])] -
+                     arms(Eigen::all, Eigen::seqN(j, m, n)).cwiseProduct(tension).rowwise().sum();
+  // What the tendon has of the least forces that make up for a unit of each joint's: there may be
+  // fewer tendons than joints.
   const auto share = [&](Index row) -> VectorXd {
-    MatrixXd P = VectorXd(arms.row(row)).reshaped(n, m).transpose();
-    P.row(tendon) *= 1.0 + larger;
-    return (P.transpose() * P).ldlt().solve(P.row(tendon).transpose());
+    const MatrixXd transposed = VectorXd(arms.row(row)).reshaped(n, m);  // P^T
+    return transposed.completeOrthogonalDecomposition().pseudoInverse().row(own).transpose();
   };
   if ((arms.rowwise() - arms.row(0)).isZero(0.0)) return lacking * share(0);
   for (Index k = 0; k < arms.rows(); ++k) lacking(k, 0) = lacking.row(k).dot(share(k));

@@ -25,10 +25,11 @@ class TendonColumns {
   /// tendons), where there are motors also "motor_side_rate" and "motor_side_direction".
   void add_signals(Recording& log) const;
 
-  /// From what the model says of the joints (`known`): signal "agreeing_tension" (samples x
+  /// From what the model says of the joints (`known`): signals "agreeing_tension" (samples x
   /// tendons, N), the slow part of the forces nearest to the measured ones that move the joints
-  /// like that. Joints' efforts are made of the measured forces: a share of one of these would
-  /// explain the efforts by themselves, friction and all.
+  /// like that, and "tension_within_guide", halfway between these and the measured ones. Joints'
+  /// efforts are made of the measured forces: a share of one of these would explain the efforts by
+  /// themselves, friction and all.
   void add_agreeing_tension(Recording& log) const;
 
   /// Of each tendon, where it does not move in its guide. `cutoff` [Hz]: the smoother's.
@@ -48,6 +49,10 @@ class TendonColumns {
   Eigen::Index coordinates() const { return coordinates_; }
 
  private:
+  struct Joined {
+    std::vector<Eigen::Index> joints, tendons;
+  };
+  Joined joined_to(const Function& motion, Eigen::Index tendon) const;
   Candidate candidate(const Effect& effect, Eigen::Index tendon) const;
   Eigen::VectorXd lacking_tension(const Recording& log, Eigen::Index tendon, double larger) const;
   /// Of one tendon, whose moment arms are larger than the model's by that share.
@@ -57,6 +62,7 @@ class TendonColumns {
   std::vector<std::string> names_;
   double slip_speed_;
   Eigen::Index coordinates_;
+  std::vector<Joined> joined_;          ///< to each tendon, over joints and tendons between them
   std::optional<double> motor_radius_;  ///< m, where the motors' motion is logged
   std::shared_ptr<CompiledModel> compiled_;
 };

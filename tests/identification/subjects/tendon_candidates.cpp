@@ -34,7 +34,7 @@ VectorXd middle(const VectorXd& x) {
 
 TEST_CASE(
     "forces that agree with the model move its joints, and are those measured where they do") {
-  // Seen to fail with the measured forces themselves: a tenth of one joint's torque is left over.
+  // Seen to fail with the measured forces themselves.
   const test::TendonFingerLog finger;
   const TendonColumns columns(finger.model(), kRuntime);
   for (const double factor : {1.0, 1.3}) {
