@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "identification/regression/nearest_bodies.h"
+#include "identification/regression/pseudo_inverse.h"
 #include "identification/subjects/expected_bodies.h"
 #include "symbolic/effects/model_effects.h"
 #include "symbolic/extension/identified_mechanism.h"

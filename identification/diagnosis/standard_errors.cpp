@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identification/diagnosis/clustered_errors.h"
+#include "identification/regression/pseudo_inverse.h"
 #include "identification/regression/refine.h"
 #include "identification/regression/spectrum.h"
 

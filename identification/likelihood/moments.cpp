@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "identification/likelihood/decision_constants.h"
+#include "identification/regression/pseudo_inverse.h"
 
 namespace sinew::diagnosis {
 namespace {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "identification/likelihood/slot_verdict.h"
+#include "identification/regression/pseudo_inverse.h"
 
 namespace sinew::diagnosis {
 namespace {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/regression/pseudo_inverse.h"
+
 namespace sinew::diagnosis {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "identification/regression/linear_fit.h"
+#include "identification/regression/pseudo_inverse.h"
 
 namespace sinew::diagnosis {
 namespace {

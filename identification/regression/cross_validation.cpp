@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "identification/regression/pseudo_inverse.h"
 #include "identification/regression/spectrum.h"
 
 namespace sinew::diagnosis {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identification/regression/linear_fit.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "identification/regression/body_limits.h"
 #include "identification/regression/inner_loop.h"
+#include "identification/regression/pseudo_inverse.h"
 
 namespace sinew::diagnosis {
 
@@ -113,95 +112,42 @@ MatrixXd Stack::gram() const {
 
 namespace {
 
-/// No eigenvalue is smaller than 1 / the inverse's norm nor larger than the matrix' own, so that
-/// none counts as zero; twice for what rounding makes of the inverse.
-bool is_regular(const MatrixXd& gram, const MatrixXd& inverse, double tolerance) {
-  return 2.0 * tolerance * gram.norm() * inverse.norm() < 1.0;
-}
-
-/// Pivoted Cholesky factor of a matrix of unit diagonal, as far as there is more than rounding.
-MatrixXd pivoted_factor(const MatrixXd& unit) {
-  constexpr double kRounding = 1e-13;
-  MatrixXd half(unit.rows(), unit.cols());
-  VectorXd left = unit.diagonal();
-  Index rank = 0, pivot = 0;
-  for (; rank < unit.cols() && left.maxCoeff(&pivot) > kRounding; ++rank) {
-    const double root = std::sqrt(left(pivot));
-    half.col(rank) = unit.col(pivot);
-    if (rank > 0) half.col(rank) -= half.leftCols(rank) * half.row(pivot).head(rank).transpose();
-    half.col(rank) /= root;
-    left -= half.col(rank).cwiseAbs2();
-    left(pivot) = 0.0;
-  }
-  return half.leftCols(rank);
-}
-
-/// Pseudo-inverse of a matrix of unit diagonal without its eigenvectors. None: some eigenvalue is
-/// so small that they have to tell whether it counts as zero.
-std::optional<MatrixXd> pseudo_inverse_by_factor(const MatrixXd& unit, double tolerance) {
-  const Eigen::LLT<MatrixXd> factor(unit);
-  if (factor.info() == Eigen::Success) {
-    const MatrixXd half = factor.matrixL().solve(MatrixXd::Identity(unit.rows(), unit.cols()));
-    MatrixXd inverse = MatrixXd::Zero(unit.rows(), unit.cols());
-    inverse.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
-    inverse.triangularView<Eigen::StrictlyUpper>() = inverse.transpose();
-    if (is_regular(unit, inverse, tolerance)) return inverse;
-  }
-  // Columns of a body that its joint does not move, or moves as others, depend on those exactly.
-  const MatrixXd half = pivoted_factor(unit);
-  const MatrixXd own = half.transpose() * half;
-  const Eigen::LLT<MatrixXd> small(own);
-  if (half.cols() == 0 || small.info() != Eigen::Success) return std::nullopt;
-  const MatrixXd inverse = small.solve(MatrixXd::Identity(own.rows(), own.cols()));
-  if (!is_regular(own, inverse, tolerance)) return std::nullopt;
-  const MatrixXd root = half * inverse;
-  return MatrixXd(root * root.transpose());
+/// What every coefficient's column, and its prior, says of the residual.
+VectorXd moment_of(const Stack& stack, const LinearFit& fit) {
+  std::vector<VectorXd> own(stack.a.size());
+  inner_loop(own.size(), [&](std::size_t s) {
+    own[s] = stack.a[s].transpose() * fit.residual.segment(stack.first_row[s], stack.a[s].rows());
+  });
+  VectorXd moment = -stack.prior.cwiseProduct(fit.coefficients);
+  for (std::size_t s = 0; s < own.size(); ++s)
+    if (!stack.at[s].empty()) moment(stack.at[s]) += own[s];
+  return moment;
 }
 
 }  // namespace
 
-MatrixXd scaled_pseudo_inverse(const MatrixXd& gram, double tolerance) {
-  if (gram.size() == 0) return gram;
-  const VectorXd scale =
-      gram.diagonal().unaryExpr([](double d) { return d > 0.0 ? 1.0 / std::sqrt(d) : 0.0; });
-  const MatrixXd unit = scale.asDiagonal() * gram * scale.asDiagonal();
-  // The decomposition takes ten times as long and is for what is nearly dependent.
-  if (const auto inverse = pseudo_inverse_by_factor(unit, tolerance))
-    return scale.asDiagonal() * *inverse * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
-  const double limit = tolerance * std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
-  const VectorXd inverse =
-      eigen.eigenvalues().unaryExpr([limit](double e) { return e > limit ? 1.0 / e : 0.0; });
-  const MatrixXd v = scale.asDiagonal() * eigen.eigenvectors();
-  return v * inverse.asDiagonal() * v.transpose();
-}
-
-LinearFit solve(const Stack& stack) {
+LinearFit refined_fit(const Stack& stack, const std::function<VectorXd(const VectorXd&)>& inverse) {
   LinearFit fit;
   fit.residual = stack.y;
   fit.coefficients = VectorXd::Zero(stack.coefficients);
-  if (stack.coefficients > 0) {
-    fit.covariance = scaled_pseudo_inverse(stack.gram());
-    // Twice, for refinement: the normal equations square the condition number.
-    for (int round = 0; round < 2; ++round) {
-      std::vector<VectorXd> own(stack.a.size());
-      inner_loop(own.size(), [&](std::size_t s) {
-        own[s] =
-            stack.a[s].transpose() * fit.residual.segment(stack.first_row[s], stack.a[s].rows());
-      });
-      VectorXd moment = -stack.prior.cwiseProduct(fit.coefficients);
-      for (std::size_t s = 0; s < own.size(); ++s)
-        if (!stack.at[s].empty()) moment(stack.at[s]) += own[s];
-      const VectorXd step = fit.covariance * moment;
-      fit.coefficients += step;
-      inner_loop(own.size(), [&](std::size_t s) {
-        if (!stack.at[s].empty())
-          fit.residual.segment(stack.first_row[s], stack.a[s].rows()) -=
-              stack.a[s] * step(stack.at[s]);
-      });
-    }
+  for (int round = 0; round < 2 && stack.coefficients > 0; ++round) {
+    const VectorXd step = inverse(moment_of(stack, fit));
+    fit.coefficients += step;
+    inner_loop(stack.a.size(), [&](std::size_t s) {
+      if (!stack.at[s].empty())
+        fit.residual.segment(stack.first_row[s], stack.a[s].rows()) -=
+            stack.a[s] * step(stack.at[s]);
+    });
   }
   fit.deviance = fit.residual.squaredNorm() + stack.prior.dot(fit.coefficients.cwiseAbs2());
+  return fit;
+}
+
+LinearFit solve(const Stack& stack) {
+  const MatrixXd covariance = scaled_pseudo_inverse(stack.gram());
+  LinearFit fit =
+      refined_fit(stack, [&](const VectorXd& moment) { return VectorXd(covariance * moment); });
+  fit.covariance = covariance;
   return fit;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "identification/regression/design.h"
@@ -78,6 +79,11 @@ Stack stack(const Model& model, const Weights& weights);
 /// minimum-norm coefficients.
 LinearFit solve(const Stack& stack);
 
+/// The fit by an inverse of the normal matrix, given as what it makes of a moment; done twice,
+/// since the normal equations square the condition number. Without covariance.
+LinearFit refined_fit(const Stack& stack,
+                      const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& inverse);
+
 /// What the best fit of a model leaves.
 double deviance(const Model& model, const Weights& weights);
 
@@ -92,10 +98,6 @@ bool violates_limits(const Design& design, const Model& model, const LinearFit& 
 
 /// Index of a term's candidate in the library, -1 for baseline terms and -1 - i for deviation i.
 int library_index(const Design& design, const Term& term);
-
-/// Symmetric pseudo-inverse after scaling to a unit diagonal; relative eigenvalues below
-/// `tolerance` count as zero.
-Eigen::MatrixXd scaled_pseudo_inverse(const Eigen::MatrixXd& gram, double tolerance = 1e-10);
 
 /// Model prediction of one segment in the band (derivative columns as given in `columns`).
 Eigen::VectorXd predict(const std::vector<const BandColumns*>& columns,

@@ -38,6 +38,7 @@ ProjectedResidual::ProjectedResidual(const Design& design, const Weights& weight
       condense(whole.a[s], whole.at[s], y);
   }
   find_places(model, moving);
+  fit_.emplace(condensed_, moves);
 }
 
 void ProjectedResidual::append(MatrixXd a, std::vector<Index> at, const VectorXd& y) {
@@ -145,7 +146,7 @@ VectorXd ProjectedResidual::operator()(const std::vector<VectorXd>& nonlinear) {
   for (std::size_t t = 0; t < terms_.size(); ++t)
     if (terms_[t].candidate && nonlinear[t] != terms_[t].now.nonlinear)
       move(nonlinear[t], terms_[t]);
-  return solve(condensed_).residual;
+  return fit_->residual(condensed_);
 }
 
 }  // namespace sinew::diagnosis

@@ -3,9 +3,10 @@
 // coefficients eliminated (variable projection).
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "identification/regression/linear_fit.h"
+#include "identification/regression/partly_fixed_fit.h"
 
 namespace sinew::diagnosis {
 
@@ -64,6 +65,7 @@ class ProjectedResidual {
   Stack condensed_;
   std::vector<Touched> touched_;
   std::vector<Moving> terms_;  ///< those that stay have no candidate
+  std::optional<PartlyFixedFit> fit_;
 };
 
 }  // namespace sinew::diagnosis

@@ -70,7 +70,8 @@ Problem two_joints() {
 
 TEST_CASE("condensed rows leave over what all rows do") {
   // Planted defects, each seen to fail: moving columns not taken apart along the basis (norms), the
-  // target left whole across it (norms), the columns of another point remembered (products).
+  // target left whole across it (norms), the columns of another point remembered (products), what
+  // the columns that stay say of those that move not taken off these (all of them).
   const Problem problem = two_joints();
   const Design design(problem, Settings());
   Model model;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/regression/linear_fit.h"
+#include "identification/regression/pseudo_inverse.h"
 
 #include <Eigen/QR>
 #include <catch2/catch.hpp>
