@@ -2,10 +2,8 @@
 #include "identification/likelihood/slot_model.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 
 #include "identification/likelihood/decision_constants.h"
@@ -35,16 +33,27 @@ MatrixXd lower_times(const MatrixXd& lower, const MatrixXd& right) {
   return product;
 }
 
+/// Of all slots one below the other.
+MatrixXd cross_rows(const std::vector<const MatrixXd*>& cross) {
+  Index rows = 0;
+  for (const MatrixXd* own : cross) rows += own->rows();
+  MatrixXd all(rows, cross.front()->cols());
+  Index first = 0;
+  for (const MatrixXd* own : cross) {
+    all.middleRows(first, own->rows()) = *own;
+    first += own->rows();
+  }
+  return all;
+}
+
 }  // namespace
 
 SlotModel::SlotModel(const Hypotheses& all, const SmallErrors& errors,
                      const std::vector<bool>& banned)
     : all_(all), errors_(errors), entries_(make_entries(all, errors, banned)) {
-  first_gram_.push_back(0);
-  for (const Entry& e : entries_) {
-    regions_.push_back(errors.moments().regions().of(e.columns));
-    first_gram_.push_back(first_gram_.back() + e.alone.gram.size());
-  }
+  for (const Entry& e : entries_) regions_.push_back(errors.moments().regions().of(e.columns));
+  for (int region = Regions::kEverywhere; region < regions(); ++region)
+    of_region_.push_back(entries_of(region));
   std::map<std::pair<std::string, std::string>, int> known;
   // What a link carries and what its drawing has wrong are the same columns: only their sum shows.
   for (const Hypothesis& h : all.list)
@@ -59,10 +68,19 @@ const Hypothesis& SlotModel::hypothesis_of(int entry) const {
   return all_.list[static_cast<std::size_t>(entries_[static_cast<std::size_t>(entry)].hypothesis)];
 }
 
-/// Whether one of a region's columns can meet the entry's.
-bool SlotModel::meets(int entry, int region) const {
-  return region == Regions::kEverywhere || region_of(entry) == Regions::kEverywhere ||
-         region_of(entry) == region;
+/// Those whose columns can meet one of the region's.
+SlotModel::OfRegion SlotModel::entries_of(int region) const {
+  OfRegion of;
+  Index next = 0;
+  for (std::size_t e = 0; e < entries_.size(); ++e) {
+    of.first.push_back(next);
+    const int own = regions_[e];
+    if (region != Regions::kEverywhere && own != Regions::kEverywhere && own != region) continue;
+    of.entries.push_back(static_cast<int>(e));
+    next += entries_[e].alone.gram.size();
+  }
+  of.first.push_back(next);
+  return of;
 }
 
 /// Prior precision of the entries' columns: one over each slot's variance.
@@ -106,86 +124,119 @@ const MatrixXd& SlotModel::products(int region, int entry) const {
 
 SlotModel::Fit SlotModel::fit(const Slots& slots, int region) const {
   const std::vector<Index>& columns = errors_.moments().regions().columns(region);
+  Posterior p = posterior(slots);
   Fit f;
-  static_cast<Posterior&>(f) = posterior(slots);
+  f.slots = slots;
   f.region = region;
+  for (const int e : slots.entries) f.cross.push_back(&products(region, e));
+  const OfRegion& own = of_region(region);
+  f.grams.resize(own.first.back());
+  for (const int e : own.entries) {
+    const MatrixXd& alone = entries_[static_cast<std::size_t>(e)].alone.gram;
+    VectorXd::Map(f.grams.data() + own.first[static_cast<std::size_t>(e)], alone.size()) =
+        alone.reshaped();
+  }
   f.target = errors_.target()(columns);
-  const auto count = static_cast<Index>(f.columns.size());
-  f.of_cross.resize(f.columns.size());
-  std::iota(f.of_cross.begin(), f.of_cross.end(), Index{0});
-  MatrixXd cross(count, static_cast<Index>(columns.size()));
-  Index first = 0;
-  for (const int e : slots.entries) {
-    const MatrixXd& own = products(region, e);
-    cross.middleRows(first, own.rows()) = own;
-    first += own.rows();
+  if (!slots.entries.empty()) {
+    f.target -= combined(f, p.coefficients.transpose()).transpose();
+    take(lower_times(p.root, cross_rows(f.cross)), 1.0, f);
   }
-  f.given_back.resize(0, cross.cols());
-  f.target.noalias() -= cross.transpose() * f.coefficients;
-  f.taken = std::make_shared<const MatrixXd>(lower_times(f.root, cross));
-  f.grams = std::make_shared<const VectorXd>(conditional_grams(region, *f.taken));
-  f.cross = std::make_shared<const MatrixXd>(std::move(cross));
+  f.inverse = std::move(p.inverse);
+  f.coefficients = std::move(p.coefficients);
   return f;
 }
 
-SlotModel::Fit SlotModel::fit_without(const Fit& whole, const Slots& slots,
-                                      std::size_t slot) const {
+SlotModel::Fit SlotModel::fit_with(Fit f, int entry, double variance) const {
+  ConditionalMoments m = conditional(entry, f);
+  m.gram.diagonal().array() += 1.0 / variance;
+  const Eigen::LLT<MatrixXd> factor(m.gram);
+  const Index count = f.coefficients.size(), wide = m.target.size();
+  const std::vector<Index> at = errors_.moments().regions().places(f.region, columns_of(entry));
+  const MatrixXd& own = products(f.region, entry);
+  // What of the model's coefficients one of the entry's takes.
+  const MatrixXd taken = f.inverse * cross_of(f, at);
+  const MatrixXd rows = factor.matrixL().solve(own - combined(f, taken.transpose()));
+  f.target -= rows.transpose() * factor.matrixL().solve(m.target);
+  take(rows, 1.0, f);
+  const VectorXd size = factor.solve(m.target);
+  VectorXd coefficients(count + wide);
+  coefficients << f.coefficients - taken * size, size;
+  const MatrixXd own_inverse = factor.solve(MatrixXd::Identity(wide, wide));
+  const MatrixXd across = taken * own_inverse;
+  MatrixXd inverse(count + wide, count + wide);
+  inverse << f.inverse + across * taken.transpose(), -across, -across.transpose(), own_inverse;
+  f.coefficients = std::move(coefficients);
+  f.inverse = std::move(inverse);
+  f.cross.push_back(&own);
+  f.slots.entries.push_back(entry);
+  f.slots.variances.push_back(variance);
+  return f;
+}
+
+SlotModel::Fit SlotModel::fit_without(Fit f, std::size_t slot) const {
+  const auto at = static_cast<std::ptrdiff_t>(slot);
   Index first = 0;
-  for (std::size_t i = 0; i < slot; ++i)
-    first += static_cast<Index>(columns_of(slots.entries[i]).size());
-  const auto wide = static_cast<Index>(columns_of(slots.entries[slot]).size());
-  // The directions, among all that the model takes, that are the slot's alone.
-  const Eigen::HouseholderQR<MatrixXd> qr(whole.root.middleCols(first, wide));
-  const MatrixXd alone = qr.householderQ() * MatrixXd::Identity(whole.root.rows(), wide);
-  const VectorXd size =
-      qr.matrixQR().topRows(wide).triangularView<Eigen::Upper>().transpose().solve(
-          whole.coefficients.segment(first, wide));
-  const MatrixXd of_others = whole.root.transpose() * alone;
+  for (std::size_t i = 0; i < slot; ++i) first += f.cross[i]->rows();
+  const Index wide = f.cross[slot]->rows();
+  // The direction, among all that the model takes, that is the slot's alone.
+  const Eigen::LLT<MatrixXd> factor(f.inverse.block(first, first, wide, wide));
+  const MatrixXd alone = factor.matrixL().solve(f.inverse.middleRows(first, wide));
+  const VectorXd size = factor.matrixL().solve(f.coefficients.segment(first, wide));
+  const MatrixXd rows = combined(f, alone);
+  f.target += rows.transpose() * size;
+  take(rows, -1.0, f);
   std::vector<Index> kept;
-  for (Index c = 0; c < whole.root.cols(); ++c)
+  for (Index c = 0; c < f.inverse.cols(); ++c)
     if (c < first || c >= first + wide) kept.push_back(c);
-  Fit f;
-  f.region = whole.region;
-  f.cross = whole.cross;
-  f.taken = whole.taken;
-  f.grams = whole.grams;
-  f.given_back.noalias() = alone.transpose() * *whole.taken;
-  f.target = whole.target + f.given_back.transpose() * size;
-  f.coefficients = (whole.coefficients - of_others * size)(kept);
-  f.inverse = (whole.inverse - of_others * of_others.transpose())(kept, kept);
-  f.precision = whole.precision(kept);
-  for (const Index c : kept) {
-    f.columns.push_back(whole.columns[static_cast<std::size_t>(c)]);
-    f.of_cross.push_back(c);
-  }
+  f.coefficients = VectorXd((f.coefficients - alone.transpose() * size)(kept));
+  f.inverse = MatrixXd((f.inverse - alone.transpose() * alone)(kept, kept));
+  f.cross.erase(f.cross.begin() + at);
+  f.slots.entries.erase(f.slots.entries.begin() + at);
+  f.slots.variances.erase(f.slots.variances.begin() + at);
   return f;
 }
 
-VectorXd SlotModel::conditional_grams(int region, const MatrixXd& taken) const {
-  VectorXd grams(first_gram_.back());
-  inner_loop(entries_.size(), [&](std::size_t i) {
-    if (!meets(static_cast<int>(i), region)) return;
-    const Entry& e = entries_[i];
-    const auto wide = static_cast<Index>(e.columns.size());
-    const MatrixXd own = taken(Eigen::all, errors_.moments().regions().places(region, e.columns));
-    MatrixXd::Map(grams.data() + first_gram_[i], wide, wide).noalias() =
-        e.alone.gram - own.transpose() * own;
+MatrixXd SlotModel::cross_of(const Fit& f, const std::vector<Index>& at) const {
+  MatrixXd cross(f.coefficients.size(), static_cast<Index>(at.size()));
+  Index first = 0;
+  for (const MatrixXd* own : f.cross) {
+    cross.middleRows(first, own->rows()) = (*own)(Eigen::all, at);
+    first += own->rows();
+  }
+  return cross;
+}
+
+MatrixXd SlotModel::combined(const Fit& f, const MatrixXd& weights) const {
+  MatrixXd sum = MatrixXd::Zero(weights.rows(), f.target.size());
+  Index first = 0;
+  for (const MatrixXd* own : f.cross) {
+    sum.noalias() += weights.middleCols(first, own->rows()) * *own;
+    first += own->rows();
+  }
+  return sum;
+}
+
+void SlotModel::take(const MatrixXd& rows, double sign, Fit& f) const {
+  const OfRegion& of = of_region(f.region);
+  inner_loop(of.entries.size(), [&](std::size_t i) {
+    const auto e = static_cast<std::size_t>(of.entries[i]);
+    const std::vector<Index>& columns = entries_[e].columns;
+    const auto wide = static_cast<Index>(columns.size());
+    const MatrixXd own = rows(Eigen::all, errors_.moments().regions().places(f.region, columns));
+    MatrixXd::Map(f.grams.data() + of.first[e], wide, wide).noalias() -=
+        sign * (own.transpose() * own);
   });
-  return grams;
 }
 
 /// An entry given the model, which is fitted in a region that the entry meets.
 ConditionalMoments SlotModel::conditional(int entry, const Fit& given) const {
-  const Entry& e = entries_[static_cast<std::size_t>(entry)];
-  const std::vector<Index> at = errors_.moments().regions().places(given.region, e.columns);
+  const auto e = static_cast<std::size_t>(entry);
+  const ConditionalMoments& alone = entries_[e].alone;
+  const std::vector<Index> at =
+      errors_.moments().regions().places(given.region, entries_[e].columns);
   const auto wide = static_cast<Index>(at.size());
-  ConditionalMoments m{
-      MatrixXd::Map(given.grams->data() + first_gram_[static_cast<std::size_t>(entry)], wide, wide),
-      given.target(at), e.alone.low, e.alone.high};
-  if (given.given_back.rows() == 0) return m;
-  const MatrixXd back = given.given_back(Eigen::all, at);
-  m.gram.noalias() += back.transpose() * back;
-  return m;
+  return {MatrixXd::Map(given.grams.data() + of_region(given.region).first[e], wide, wide),
+          given.target(at), alone.low, alone.high};
 }
 
 /// What the model spans already has nothing to say for itself.
@@ -201,27 +252,26 @@ BayesFactor SlotModel::factor(int entry, const Fit& given) const {
 }
 
 template <class Odds>
-std::vector<double> SlotModel::of_entries(const Slots& given, const Fit& f, bool names_alone,
-                                          const Odds& odds) const {
+std::vector<double> SlotModel::of_entries(const Fit& f, bool names_alone, const Odds& odds) const {
   std::vector<bool> taken(causes_.size(), false);  // one cause is named once, whatever its forms
-  for (const int g : given.entries) taken[static_cast<std::size_t>(cause_of(g))] = true;
+  for (const int g : f.slots.entries) taken[static_cast<std::size_t>(cause_of(g))] = true;
   std::vector<double> all(entries_.size(), kNoOdds);
-  inner_loop(entries_.size(), [&](std::size_t i) {
-    const auto entry = static_cast<int>(i);
-    if (!taken[static_cast<std::size_t>(cause_of(entry))] && meets(entry, f.region) &&
-        (hypothesis_of(entry).named || !names_alone))
-      all[i] = odds(entry) + entries_[i].log_prior;
+  const std::vector<int>& list = of_region(f.region).entries;
+  inner_loop(list.size(), [&](std::size_t i) {
+    const auto e = static_cast<std::size_t>(list[i]);
+    if (!taken[static_cast<std::size_t>(cause_of(list[i]))] &&
+        (hypothesis_of(list[i]).named || !names_alone))
+      all[e] = odds(list[i]) + entries_[e].log_prior;
   });
   return all;
 }
 
-std::vector<double> SlotModel::log_odds(const Slots& given, const Fit& f, bool names_alone) const {
-  return of_entries(given, f, names_alone, [&](int entry) { return factor(entry, f).logarithm; });
+std::vector<double> SlotModel::log_odds(const Fit& f, bool names_alone) const {
+  return of_entries(f, names_alone, [&](int entry) { return factor(entry, f).logarithm; });
 }
 
-std::vector<EntryOdds> SlotModel::odds_at_most(const Slots& given, const Fit& f,
-                                               bool names_alone) const {
-  const std::vector<double> most = of_entries(given, f, names_alone, [&](int entry) {
+std::vector<EntryOdds> SlotModel::odds_at_most(const Fit& f, bool names_alone) const {
+  const std::vector<double> most = of_entries(f, names_alone, [&](int entry) {
     const ConditionalMoments m = conditional(entry, f);
     return has_something_to_say(m, entry) ? most_by_fit(m) : kNoOdds;
   });
@@ -278,21 +328,20 @@ bool SlotModel::is_possible(const Slots& slots) const {
 
 /// Whether the slots, whose fit that is, are within their limits with one more entry: what it
 /// changes of their coefficients, by blocks of the inverse.
-bool SlotModel::stays_possible(const Slots& given, const Fit& f, int entry, double variance) const {
+bool SlotModel::stays_possible(const Fit& f, int entry, double variance) const {
   ConditionalMoments m = conditional(entry, f);
   m.gram.diagonal().array() += 1.0 / variance;
   const Eigen::LLT<MatrixXd> factor(m.gram);
   const VectorXd own = factor.solve(m.target);
   const VectorXd own_variance = factor.solve(MatrixXd::Identity(own.size(), own.size())).diagonal();
   if (!is_possible(entry, own, own_variance.cwiseSqrt())) return false;
-  if (given.entries.empty()) return true;
-  const std::vector<Index> at = errors_.moments().regions().places(
-      f.region, entries_[static_cast<std::size_t>(entry)].columns);
+  if (f.slots.entries.empty()) return true;
+  const std::vector<Index> at = errors_.moments().regions().places(f.region, columns_of(entry));
   // What of the model's coefficients one of the entry's takes.
-  const MatrixXd taken = f.inverse * (*f.cross)(f.of_cross, at);
+  const MatrixXd taken = f.inverse * cross_of(f, at);
   const VectorXd more =
       taken.cwiseProduct(factor.solve(taken.transpose()).transpose()).rowwise().sum();
-  return is_possible(given.entries, f.coefficients - taken * own, f.inverse.diagonal() + more);
+  return is_possible(f.slots.entries, f.coefficients - taken * own, f.inverse.diagonal() + more);
 }
 
 /// log posterior odds of the slots together against none.

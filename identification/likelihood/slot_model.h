@@ -42,18 +42,15 @@ class SlotModel {
     Eigen::VectorXd coefficients;
   };
 
-  /// What the model with some entries leaves to a region's columns: of their Gram matrix taken'
-  /// taken is gone, less given_back' given_back.
-  struct Fit : Posterior {
+  /// What the model with some entries leaves to a region's columns.
+  struct Fit {
+    Slots slots;
     int region = Regions::kEverywhere;
-    std::shared_ptr<const Eigen::MatrixXd> cross;  ///< coefficients x columns: products
-    std::shared_ptr<const Eigen::MatrixXd> taken;
-    Eigen::MatrixXd given_back;          ///< by a slot that is left out; no rows where none is
-    std::vector<Eigen::Index> of_cross;  ///< of each coefficient its row there
-    Eigen::VectorXd target;              ///< products of the columns with what is left over
-    /// Of every entry that meets the region what is left of its Gram matrix before anything is
-    /// given back, one after the other.
-    std::shared_ptr<const Eigen::VectorXd> grams;
+    std::vector<const Eigen::MatrixXd*> cross;  ///< of each slot, its products with the columns
+    Eigen::MatrixXd inverse;                    ///< the coefficients' posterior covariance
+    Eigen::VectorXd coefficients;
+    Eigen::VectorXd target;  ///< products of the columns with what is left over
+    Eigen::VectorXd grams;   ///< what is left of the Gram matrices of the region's entries, in turn
   };
 
   /// `banned`: hypotheses that are not to be taken.
@@ -66,38 +63,49 @@ class SlotModel {
   int regions() const { return errors_.moments().regions().count(); }
 
   Fit fit(const Slots& slots, int region) const;
-  /// The fit of all slots but one from that of all of them: far less work than from nothing.
-  Fit fit_without(const Fit& whole, const Slots& slots, std::size_t slot) const;
+  /// The fit with one more slot, the last one, or with all but one, from that of the others or of
+  /// all: far less work than from nothing.
+  Fit fit_with(Fit f, int entry, double variance) const;
+  Fit fit_without(Fit f, std::size_t slot) const;
   /// Of an entry on top of a model that is fitted in a region which has its columns.
   BayesFactor factor(int entry, const Fit& given) const;
   /// Of every entry whose columns the fit's region has, kNoOdds for the others and for other forms
   /// of what the slots hold.
-  std::vector<double> log_odds(const Slots& given, const Fit& f, bool names_alone) const;
+  std::vector<double> log_odds(const Fit& f, bool names_alone) const;
   /// What they are at most, of those that can be above 0, the largest first: far less work.
-  std::vector<EntryOdds> odds_at_most(const Slots& given, const Fit& f, bool names_alone) const;
+  std::vector<EntryOdds> odds_at_most(const Fit& f, bool names_alone) const;
   /// Whether all coefficients are within their limits.
   bool is_possible(const Slots& slots) const;
   /// The same with one more entry of that prior variance, from the fit without it.
-  bool stays_possible(const Slots& given, const Fit& f, int entry, double variance) const;
+  bool stays_possible(const Fit& f, int entry, double variance) const;
   /// With the log posterior odds of the slots together against none.
   Slots weighed(Slots slots) const;
   /// Coefficients of a slot in the columns' own units, by coefficient of its first shape.
   Eigen::VectorXd coefficients(const Slots& slots, std::size_t slot) const;
 
  private:
+  /// Entries that meet a region, and where each one's matrix begins in Fit::grams.
+  struct OfRegion {
+    std::vector<int> entries;
+    std::vector<Eigen::Index> first;  ///< by entry; the length of all at the end
+  };
+  OfRegion entries_of(int region) const;
   Posterior posterior(const Slots& slots) const;
   /// Products of an entry's columns (rows) with a region's. A search asks for the same ones again
   /// and again.
   const Eigen::MatrixXd& products(int region, int entry) const;
   ConditionalMoments conditional(int entry, const Fit& given) const;
-  Eigen::VectorXd conditional_grams(int region, const Eigen::MatrixXd& taken) const;
+  /// Products of the slots' coefficients, one row each, with some of the region's columns.
+  Eigen::MatrixXd cross_of(const Fit& f, const std::vector<Eigen::Index>& at) const;
+  /// `weights`, one column a coefficient of the slots, times their products with all columns.
+  Eigen::MatrixXd combined(const Fit& f, const Eigen::MatrixXd& weights) const;
+  /// Takes rows' rows off what is left of every entry's Gram matrix, or gives it back.
+  void take(const Eigen::MatrixXd& rows, double sign, Fit& f) const;
   bool has_something_to_say(const ConditionalMoments& m, int entry) const;
   /// By entry, `odds` of those that log_odds() is about.
   template <class Odds>
-  std::vector<double> of_entries(const Slots& given, const Fit& f, bool names_alone,
-                                 const Odds& odds) const;
+  std::vector<double> of_entries(const Fit& f, bool names_alone, const Odds& odds) const;
   Eigen::VectorXd precisions(const Slots& slots) const;
-  bool meets(int entry, int region) const;
   const std::vector<Eigen::Index>& columns_of(int entry) const {
     return entries_[static_cast<std::size_t>(entry)].columns;
   }
@@ -114,7 +122,10 @@ class SlotModel {
   std::vector<Entry> entries_;
   std::vector<int> regions_;  ///< of every entry
   std::vector<int> causes_;   ///< of every hypothesis: one number for all forms of a cause
-  std::vector<Eigen::Index> first_gram_;  ///< of every entry: where its matrix begins in Fit::grams
+  const OfRegion& of_region(int region) const {
+    return of_region_[static_cast<std::size_t>(region + 1)];
+  }
+  std::vector<OfRegion> of_region_;  ///< everywhere, then the regions
   mutable std::shared_mutex guard_;
   /// By region and entry.
   mutable std::map<std::pair<int, int>, std::unique_ptr<Eigen::MatrixXd>> products_;

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
 #include <queue>
 #include <set>
 
@@ -55,15 +53,9 @@ SlotSearch::SlotSearch(const Hypotheses& all, const SmallErrors& errors, int mos
                        const std::vector<bool>& banned)
     : all_(all), most_(static_cast<std::size_t>(most)), model_(all, errors, banned) {}
 
-/// The slots, whose fit that is, with one more entry, of the size that the data make most probable
-/// for it.
-Slots SlotSearch::sized(const Slots& given, const SlotModel::Fit& f, int entry) const {
-  return with(given, entry, model_.factor(entry, f).variance);
-}
-
-/// With the entry of the largest odds above 0 that leaves every slot within its limits. Odds are
-/// worked out as long as one of those left could have larger ones.
-std::optional<Slots> SlotSearch::with_best(const Slots& given, const SlotModel::Fit& f) const {
+/// The entry of the largest odds above 0, in its most probable size, that leaves every slot within
+/// its limits. Odds are worked out as long as one of those left could have larger ones.
+std::optional<SlotSearch::Sized> SlotSearch::best(const SlotModel::Fit& f) const {
   constexpr int most_tried = 40;
   struct Known : EntryOdds {
     double variance;
@@ -71,7 +63,7 @@ std::optional<Slots> SlotSearch::with_best(const Slots& given, const SlotModel::
       return log_odds != other.log_odds ? log_odds < other.log_odds : entry > other.entry;
     }
   };
-  const std::vector<EntryOdds> bounds = model_.odds_at_most(given, f, names_alone_);
+  const std::vector<EntryOdds> bounds = model_.odds_at_most(f, names_alone_);
   std::priority_queue<Known> known;
   auto next = bounds.begin();
   for (int tried = 0; tried < most_tried; ++tried) {
@@ -82,67 +74,65 @@ std::optional<Slots> SlotSearch::with_best(const Slots& given, const SlotModel::
       if (odds > 0.0) known.push({{next->entry, odds}, factor.variance});
     }
     if (known.empty()) return std::nullopt;
-    const Known best = known.top();
+    const Known most = known.top();
     known.pop();
-    if (model_.stays_possible(given, f, best.entry, best.variance))
-      return with(given, best.entry, best.variance);
+    if (model_.stays_possible(f, most.entry, most.variance))
+      return Sized{most.entry, most.variance};
   }
   return std::nullopt;
 }
 
-/// Every slot of a region, or all, given the others: its best rival where it acts, or nothing.
-/// False: nothing has changed.
-bool SlotSearch::polish(Slots& slots, int region) const {
+/// Every slot of a region, or all, given the others: its best rival, which comes last then, or
+/// nothing. False: nothing has changed.
+bool SlotSearch::polish(FittedSlots& fitted, int region) const {
   constexpr double same = 1e-6;  // of a variance: it is one of a few sizes
   bool changed = false;
-  std::map<int, SlotModel::Fit> whole;  // of all slots, by region
-  for (std::size_t i = 0; i < slots.entries.size();) {
-    const int own = model_.region_of(slots.entries[i]);
+  std::size_t at = 0;
+  for (std::size_t left = fitted.slots().entries.size(); left > 0; --left) {
+    const int entry = fitted.slots().entries[at];
+    const double variance = fitted.slots().variances[at];
+    const int own = model_.region_of(entry);
     if (region != Regions::kEverywhere && own != region) {
-      ++i;
+      ++at;
       continue;
     }
-    if (!whole.contains(own)) whole.emplace(own, model_.fit(slots, own));
-    Slots others = without(slots, i);
-    const std::optional<Slots> best =
-        with_best(others, model_.fit_without(whole.at(own), slots, i));
-    const bool stays = best && best->entries.back() == slots.entries[i] &&
-                       std::abs(best->variances.back() / slots.variances[i] - 1.0) <= same;
-    if (stays) {
-      ++i;
+    const std::optional<Sized> rival = best(model_.fit_without(fitted.in(own), at));
+    if (rival && rival->entry == entry && std::abs(rival->variance / variance - 1.0) <= same) {
+      ++at;
       continue;
     }
     changed = true;
-    whole.clear();
-    if (!best) {
-      slots = std::move(others);
-      continue;
-    }
-    slots.entries[i] = best->entries.back();
-    slots.variances[i] = best->variances.back();
-    ++i;
+    fitted.remove(at);
+    if (rival) fitted.add(rival->entry, rival->variance);
   }
   return changed;
 }
 
-void SlotSearch::settle(Slots& slots, int region, const Slots* known) const {
-  for (int sweep = 0; sweep < kMostSweeps && polish(slots, region); ++sweep)
-    if (known && have_same_entries(slots, *known)) return;
+void SlotSearch::settle(FittedSlots& fitted, int region, const Slots* known) const {
+  for (int sweep = 0; sweep < kMostSweeps && polish(fitted, region); ++sweep)
+    if (known && have_same_entries(fitted.slots(), *known)) return;
+}
+
+Slots SlotSearch::settled(Slots slots) const {
+  FittedSlots fitted(model_, std::move(slots));
+  settle(fitted, Regions::kEverywhere);
+  return fitted.slots();
 }
 
 /// By a region's entries. Slots that meet none of what was added stay as they are, and those that
 /// act everywhere wait until all regions are settled.
 Slots SlotSearch::grown(Slots slots, int region, const Slots* known) const {
-  while (slots.entries.size() < most_) {
-    std::optional<Slots> more = with_best(slots, model_.fit(slots, region));
+  FittedSlots fitted(model_, std::move(slots));
+  while (fitted.slots().entries.size() < most_) {
+    const std::size_t before = fitted.slots().entries.size();
+    const std::optional<Sized> more = best(fitted.in(region));
     if (!more) break;
-    settle(*more, model_.region_of(more->entries.back()), known);
-    if (known && have_same_entries(*more, *known)) return *known;
-    const bool larger = more->entries.size() > slots.entries.size();
-    slots = std::move(*more);
-    if (!larger) break;
+    fitted.add(more->entry, more->variance);
+    settle(fitted, model_.region_of(more->entry), known);
+    if (known && have_same_entries(fitted.slots(), *known)) return *known;
+    if (fitted.slots().entries.size() <= before) break;
   }
-  return model_.weighed(std::move(slots));
+  return model_.weighed(fitted.slots());
 }
 
 Slots SlotSearch::with_own_values(Slots slots, std::optional<int> region) const {
@@ -157,11 +147,8 @@ Slots SlotSearch::with_own_values(Slots slots, std::optional<int> region) const 
 }
 
 Slots SlotSearch::find(Slots from) const {
-  settle(from, Regions::kEverywhere);
-  Slots found = grown(std::move(from), Regions::kEverywhere);
-  if (model_.regions() == 1) return found;
-  settle(found, Regions::kEverywhere);
-  return model_.weighed(std::move(found));
+  Slots found = grown(settled(std::move(from)), Regions::kEverywhere);
+  return model_.regions() == 1 ? found : model_.weighed(settled(std::move(found)));
 }
 
 Slots SlotSearch::find() const {
@@ -179,17 +166,16 @@ std::vector<Slots> SlotSearch::other_starts(const Slots& found, int region) cons
   Slots elsewhere = found;
   for (std::size_t i = found.entries.size(); i-- > 0;)
     if (model_.region_of(found.entries[i]) == region) elsewhere = without(std::move(elsewhere), i);
-  Slots own = with_own_values(std::move(elsewhere), region);
+  FittedSlots own(model_, with_own_values(std::move(elsewhere), region));
   settle(own, region);
-  std::vector<Slots> starts{std::move(own)};
+  std::vector<Slots> starts{own.slots()};
   const SlotModel::Fit whole = model_.fit(found, region);
   for (std::size_t i = 0; i < found.entries.size(); ++i) {
     if (model_.region_of(found.entries[i]) != region) continue;
-    const Slots others = without(found, i);
-    const SlotModel::Fit f = model_.fit_without(whole, found, i);
+    const SlotModel::Fit f = model_.fit_without(whole, i);
     const bool hides = !model_.hypothesis_of(found.entries[i]).named;
     std::size_t tried = 0, names = 0;
-    const std::vector<Rival> list = rivals(others, f);
+    const std::vector<Rival> list = rivals(f);
     for (const Rival& rival : list) {
       // Of two that together say what one says, one says half of it.
       if (rival.log_odds <= 0.5 * list.front().log_odds) break;
@@ -200,7 +186,7 @@ std::vector<Slots> SlotSearch::other_starts(const Slots& found, int region) cons
       if (tried >= kRivals && !(is_name && names < kRivals)) continue;
       ++tried;
       names += is_name ? 1 : 0;
-      starts.push_back(sized(others, f, rival.entry));
+      starts.push_back(with(f.slots, rival.entry, model_.factor(rival.entry, f).variance));
     }
   }
   return starts;
@@ -247,16 +233,15 @@ std::vector<Rival> SlotSearch::ranked(const std::vector<double>& odds) const {
 }
 
 std::vector<Rival> SlotSearch::rivals(const Slots& slots, std::size_t slot) const {
-  const Slots others = without(slots, slot);
-  return rivals(others, model_.fit(others, model_.region_of(slots.entries[slot])));
+  return rivals(model_.fit(without(slots, slot), model_.region_of(slots.entries[slot])));
 }
 
-std::vector<Rival> SlotSearch::rivals(const Slots& others, const SlotModel::Fit& f) const {
-  std::vector<double> odds = model_.log_odds(others, f, names_alone_);
+std::vector<Rival> SlotSearch::rivals(const SlotModel::Fit& f) const {
+  std::vector<double> odds = model_.log_odds(f, names_alone_);
   inner_loop(odds.size(), [&](std::size_t i) {
     const auto e = static_cast<int>(i);
     // What nothing is more probable than needs no look at its limits.
-    if (odds[i] > 0.0 && !model_.stays_possible(others, f, e, model_.factor(e, f).variance))
+    if (odds[i] > 0.0 && !model_.stays_possible(f, e, model_.factor(e, f).variance))
       odds[i] = kNoOdds;
   });
   return ranked(odds);
@@ -314,7 +299,7 @@ Slots SlotSearch::with_names(Slots slots) const {
 }
 
 std::vector<Rival> SlotSearch::on_top(const Slots& slots) const {
-  return ranked(model_.log_odds(slots, model_.fit(slots, Regions::kEverywhere), false));
+  return ranked(model_.log_odds(model_.fit(slots, Regions::kEverywhere), false));
 }
 
 }  // namespace sinew::diagnosis

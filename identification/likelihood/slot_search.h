@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "identification/likelihood/slot_model.h"
+#include "identification/likelihood/fitted_slots.h"
 
 namespace sinew::diagnosis {
 
@@ -56,14 +56,18 @@ class SlotSearch {
 
  private:
   double log_prior(int entry) const { return entries()[static_cast<std::size_t>(entry)].log_prior; }
-  Slots sized(const Slots& given, const SlotModel::Fit& f, int entry) const;
-  std::optional<Slots> with_best(const Slots& given, const SlotModel::Fit& f) const;
-  std::vector<Rival> rivals(const Slots& others, const SlotModel::Fit& f) const;
+  struct Sized {
+    int entry;
+    double variance;
+  };
+  std::optional<Sized> best(const SlotModel::Fit& f) const;
+  std::vector<Rival> rivals(const SlotModel::Fit& f) const;
   std::vector<Rival> ranked(const std::vector<double>& odds) const;
   std::optional<Rival> name_of(const std::vector<Rival>& set) const;
-  bool polish(Slots& slots, int region) const;
+  bool polish(FittedSlots& fitted, int region) const;
   /// `known`: an end of the search; slots that arrive there need no further look.
-  void settle(Slots& slots, int region, const Slots* known = nullptr) const;
+  void settle(FittedSlots& fitted, int region, const Slots* known = nullptr) const;
+  Slots settled(Slots slots) const;
   /// With every value of the model's own that has one parameter, of a region or of all.
   Slots with_own_values(Slots slots, std::optional<int> region) const;
   Slots grown(Slots slots, int region, const Slots* known = nullptr) const;
