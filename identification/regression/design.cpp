@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "identification/regression/inner_loop.h"
 #include "identification/regression/spectrum.h"
 #include "identification/regression/standstill.h"
 
@@ -266,16 +267,18 @@ MatrixXd Design::segment_columns(std::size_t i, const Candidate& candidate,
 BandColumns Design::columns(const Candidate& candidate, const VectorXd& nonlinear,
                             int derivative) const {
   BandColumns result(segments_.size());
-  for (std::size_t i = 0; i < segments_.size(); ++i)
+  inner_loop(segments_.size(), [&](std::size_t i) {
     result[i] = segment_columns(i, candidate, nonlinear, derivative);
+  });
   return result;
 }
 
 BandColumns Design::columns_at(const std::vector<bool>& segments, const Candidate& candidate,
                                const VectorXd& nonlinear) const {
   BandColumns result(segments_.size());
-  for (std::size_t i = 0; i < segments_.size(); ++i)
+  inner_loop(segments_.size(), [&](std::size_t i) {
     if (segments[i]) result[i] = segment_columns(i, candidate, nonlinear, 0);
+  });
   return result;
 }
 
