@@ -19,11 +19,19 @@ LearntPlaces places_of(const DrivenSubject& subject) {
   return learnt_places(subject.rigid()->mechanism(), subject.model().tendons.motor.has_value());
 }
 
-/// The first mistake without its place: the file is not there yet.
+/// What follows the first ": ".
+std::string behind_colon(const std::string& text) {
+  return text.substr(text.find(": ") + 2);
+}
+
+/// The first mistake without its place and its key, "effect[0].coefficient[1]": the file is not
+/// there yet.
 std::string first_mistake(const DescriptionError& error) {
-  const std::string& text = error.messages().front();
-  const std::size_t place = text.find(": ");
-  return place == std::string::npos ? text : text.substr(place + 2);
+  std::string text = error.messages().front();
+  if (text.find(": ") != std::string::npos) text = behind_colon(text);
+  const std::size_t key = text.find(": ");
+  const bool has_key = key != std::string::npos && text.find_first_of(" '") > key;
+  return has_key ? behind_colon(text) : text;
 }
 
 std::string name_of(const ExtensionTerm& term) {
