@@ -53,14 +53,34 @@ void search_under(Whitening noise, const Searched& s, FoundSlots& found) {
   fit_shapes(s.design, found);
 }
 
-/// The noise to begin with. Beside the model alone what is hidden counts as noise, and may hide
-/// itself; beside a fit of everything too little is left of it where that takes all rows of a
-/// frequency, so that it is asked only where nothing was found beside the model.
-void first_noise(const Searched& s, FoundSlots& found) {
-  search_under(whitening_beside(s.design, found.all.parts.base, s.floor), s, found);
-  if (!found.slots.entries.empty()) return;
-  search_under(whitening_of(s.design, found.all, s.floor), s, found);
+/// Searches under one noise, then under that which is beside what was found: its shapes are fitted.
+/// False: nothing was found under either.
+bool try_noise(Whitening noise, const Searched& s, FoundSlots& found) {
+  found.forms.clear();
+  search_under(std::move(noise), s, found);
+  const bool any = !found.slots.entries.empty();
   search_under(whitening_beside(s.design, found.model, s.floor), s, found);
+  return any || !found.slots.entries.empty();
+}
+
+/// The noise to begin with. Beside a fit of everything too little is left of it where that takes
+/// all rows of a frequency; beside the model alone all that is hidden counts as noise. The more
+/// probable one of where the two lead.
+void first_noise(const Searched& s, FoundSlots& found) {
+  // Where nothing was found the noise is that beside the model alone by now.
+  if (!try_noise(whitening_of(s.design, found.all, s.floor), s, found)) return;
+  Whitening beside_everything = std::move(found.whitening);
+  std::vector<SlotForm> forms = std::move(found.forms);
+  const double evidence = found.evidence, share = found.small_errors;
+  found.forms.clear();
+  search_under(whitening_beside(s.design, found.all.parts.base, s.floor), s, found);
+  if (!found.slots.entries.empty())
+    search_under(whitening_beside(s.design, found.model, s.floor), s, found);
+  if (found.evidence >= evidence) return;
+  found.whitening = std::move(beside_everything);
+  make_moments(s.design, found);
+  found.forms = std::move(forms);
+  found.small_errors = share;
 }
 
 /// The noise beside what another search has found.
