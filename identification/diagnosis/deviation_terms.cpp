@@ -100,7 +100,7 @@ ColumnFunction deviation_columns(const Problem& problem, const ParameterDeviatio
   };
 }
 
-Term deviation_term(const Design& design, const Model& model, int index,
+Term deviation_term(const Design& design, const Model& model, const FixedPart& nominal, int index,
                     std::vector<std::shared_ptr<const Candidate>>& made) {
   const Problem& problem = design.problem();
   const ParameterDeviation& deviation = problem.deviations[static_cast<std::size_t>(index)];
@@ -122,7 +122,8 @@ Term deviation_term(const Design& design, const Model& model, int index,
   term.candidate = c.get();
   term.deviation = index;
   term.with_prior = true;
-  term.columns = design.columns(*c, VectorXd());
+  term.columns = deviation.delayed ? delay_columns(design, *deviation.delayed, nominal)
+                                   : design.columns(*c, VectorXd());
   made.push_back(std::move(c));
   return term;
 }
@@ -228,7 +229,7 @@ DeviationTerms take_apart(const Design& design, const Model& model) {
     parts.base.terms.push_back(free_part(design, term, mine, parts.made));
   }
   for (int i = 0; i < static_cast<int>(problem.deviations.size()); ++i)
-    parts.deviations.push_back(deviation_term(design, model, i, parts.made));
+    parts.deviations.push_back(deviation_term(design, model, parts.base.fixed, i, parts.made));
   return parts;
 }
 

@@ -153,6 +153,9 @@ struct ParameterDeviation {
   std::vector<DeviationParameter> parameters;
   std::string limit_meaning;
   std::string isolating_experiment;
+  /// Channels at which its one parameter [s] delays what the nominal model says, against nothing
+  /// else; absent: it delays nothing.
+  std::optional<std::vector<int>> delayed;
   bool unlikely = false;                   ///< as a candidate's
   std::optional<double> body_within = {};  ///< as a candidate's, of mass and first moments
   bool of_body = false;                    ///< as a candidate's

@@ -2,6 +2,7 @@
 // Changes of the model's own values, as a diagnosis of driven joints may name them.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "identification/subjects/driven_subject.h"
@@ -38,10 +39,13 @@ void DrivenSubject::add_deviations(std::size_t joint) {
          place(joint),
          {parameter},
          bounded ? "it would be negative, or far beyond any link's" : "it would be negative",
-         effect.experiment});
+         effect.experiment,
+         {}});
     deviations_.push_back({effects[k], joint, {}, {}});
   }
   add_common_deviations(joint);
+  add_delay_deviation(delay_candidate({static_cast<int>(joint), place(joint), driven.revolute}),
+                      {"delay", joint, {}, {}}, {static_cast<int>(joint)});
 }
 
 /// No link is that much heavier than its model: what would be is no inertia. [kg m²]
@@ -52,6 +56,23 @@ double DrivenSubject::most_inertia(std::size_t joint) const {
   for (const Recording& log : problem_.training)
     largest = std::max(largest, mass_column(known_, axis, log).col(axis).maxCoeff());
   return times_the_model * largest;
+}
+
+/// A delay moves inertia into damping and weight into friction: what the model says shows it, its
+/// free values would not.
+void DrivenSubject::add_delay_deviation(const Candidate& delay, CandidateOrigin origin,
+                                        std::vector<int> channels) {
+  ParameterDeviation deviation{
+      delay.name,         delay.place, {}, delay.limit_meaning, delay.isolating_experiment,
+      std::move(channels)};
+  DeviationParameter parameter;
+  parameter.name = delay.linear.front().name;
+  parameter.unit = delay.linear.front().unit;
+  parameter.low = delay.nonlinear.front().low;
+  parameter.high = delay.nonlinear.front().high;
+  deviation.parameters = {std::move(parameter)};
+  problem_.deviations.push_back(std::move(deviation));
+  deviations_.push_back(std::move(origin));
 }
 
 /// One parameter that moves several of the model's values at once.
@@ -75,7 +96,8 @@ void DrivenSubject::add_deviation(const Candidate& c, CandidateOrigin origin, in
   // Its columns are asked for without a shape.
   if (!c.nonlinear.empty())
     throw std::logic_error(c.name + " (" + c.place + ") has a shape and is no value of the model");
-  ParameterDeviation deviation{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment};
+  ParameterDeviation deviation{c.name, c.place, {}, c.limit_meaning, c.isolating_experiment,
+                               {},     false};
   const std::size_t count = columns < 0 ? c.linear.size() : static_cast<std::size_t>(columns);
   for (std::size_t k = 0; k < count; ++k) {
     const LinearParameter& p = c.linear[k];
@@ -97,6 +119,11 @@ void DrivenSubject::add_deviation(const Candidate& c, CandidateOrigin origin, in
 
 /// What acts on several joints looks like changes of their own values.
 void DrivenSubject::add_mechanism_deviations() {
+  if (model_.joints.size() > 1) {
+    std::vector<int> all(model_.joints.size());
+    std::iota(all.begin(), all.end(), 0);
+    add_delay_deviation(common_delay_candidate(), {"delay", 0, {}, {}, true}, all);
+  }
   if (is_lone_link()) add_carried_deviations();
   for (std::size_t i = 0; i < library_.size(); ++i) {
     const CandidateOrigin origin = library_[i];

@@ -149,6 +149,8 @@ class DrivenSubject {
   void add_deviations(std::size_t joint);
   void add_common_deviations(std::size_t joint);
   double most_inertia(std::size_t joint) const;
+  void add_delay_deviation(const Candidate& delay, CandidateOrigin origin,
+                           std::vector<int> channels);
   void fit_directions(const Settings& settings);
   void expect_motion(Recording& log) const;
   bool reads_in_steps(const Recording& log, Eigen::Index joint) const;

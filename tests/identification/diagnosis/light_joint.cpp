@@ -5,7 +5,6 @@
 #include <random>
 
 #include "identification/likelihood/explain.h"
-#include "identification/subjects/model_candidates.h"
 #include "tests/identification/diagnosis/two_joints.h"
 
 namespace {
@@ -65,7 +64,13 @@ Problem arm(double hidden, double delay, unsigned seed) {
     deviation.parameters.front().shares = {{c, 0, 1.0}};
     problem.deviations.push_back(deviation);
   }
-  problem.library.push_back(common_delay_candidate());
+  ParameterDeviation late;
+  late.name = "delay";
+  late.place = "all joints";
+  late.parameters.resize(1);
+  late.parameters.front().name = "delay";
+  late.delayed = {0, 1};
+  problem.deviations.push_back(late);
   problem.training.push_back(std::move(log));
   return problem;
 }
@@ -91,8 +96,8 @@ TEST_CASE("one delay of both joints is one cause, not a damping of each") {
     REQUIRE(e.verdict.causes[0].parameters.size() == 1);
     const ParameterEstimate& found = e.verdict.causes[0].parameters[0];
     CHECK(std::abs(found.value - delay) < 5.0 * found.standard_error);
-    // Planted: without the delay in the library.
-    problem.library.pop_back();
+    // Planted: without the delay among the deviations.
+    problem.deviations.pop_back();
     CHECK(explain(problem, test::below_20_hz()).verdict.causes.size() == 2);
   }
 }
