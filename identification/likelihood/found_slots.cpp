@@ -39,8 +39,8 @@ struct Searched {
   int bans = 0;
 };
 
-/// The products under the noise. Those before go first: of an arm of seven joints they are a fifth
-/// of all memory.
+/// The products under the noise. Those before go first: of an arm of seven joints they take a
+/// quarter of a gigabyte.
 void make_moments(const Design& design, FoundSlots& found) {
   found.moments = {};
   found.moments = moments_of(design, found.all, found.whitening);

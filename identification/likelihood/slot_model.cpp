@@ -53,7 +53,7 @@ SlotModel::SlotModel(const Hypotheses& all, const SmallErrors& errors,
     : all_(all), errors_(errors), entries_(make_entries(all, errors, banned)) {
   for (const Entry& e : entries_) regions_.push_back(errors.moments().regions().of(e.columns));
   for (int region = Regions::kEverywhere; region < regions(); ++region)
-    of_region_.push_back(entries_of(region));
+    region_entries_.push_back(entries_meeting(region));
   std::map<std::pair<std::string, std::string>, int> known;
   // What a link carries and what its drawing has wrong are the same columns: only their sum shows.
   for (const Hypothesis& h : all.list)
@@ -69,18 +69,18 @@ const Hypothesis& SlotModel::hypothesis_of(int entry) const {
 }
 
 /// Those whose columns can meet one of the region's.
-SlotModel::OfRegion SlotModel::entries_of(int region) const {
-  OfRegion of;
+SlotModel::RegionEntries SlotModel::entries_meeting(int region) const {
+  RegionEntries list;
   Index next = 0;
   for (std::size_t e = 0; e < entries_.size(); ++e) {
-    of.first.push_back(next);
+    list.first.push_back(next);
     const int own = regions_[e];
     if (region != Regions::kEverywhere && own != Regions::kEverywhere && own != region) continue;
-    of.entries.push_back(static_cast<int>(e));
+    list.entries.push_back(static_cast<int>(e));
     next += entries_[e].alone.gram.size();
   }
-  of.first.push_back(next);
-  return of;
+  list.first.push_back(next);
+  return list;
 }
 
 /// Prior precision of the entries' columns: one over each slot's variance.
@@ -129,7 +129,7 @@ SlotModel::Fit SlotModel::fit(const Slots& slots, int region) const {
   f.slots = slots;
   f.region = region;
   for (const int e : slots.entries) f.cross.push_back(&products(region, e));
-  const OfRegion& own = of_region(region);
+  const RegionEntries& own = entries_in(region);
   f.grams.resize(own.first.back());
   for (const int e : own.entries) {
     const MatrixXd& alone = entries_[static_cast<std::size_t>(e)].alone.gram;
@@ -178,7 +178,7 @@ SlotModel::Fit SlotModel::fit_without(Fit f, std::size_t slot) const {
   Index first = 0;
   for (std::size_t i = 0; i < slot; ++i) first += f.cross[i]->rows();
   const Index wide = f.cross[slot]->rows();
-  // The direction, among all that the model takes, that is the slot's alone.
+  // The directions, among all that the model takes, that are the slot's alone.
   const Eigen::LLT<MatrixXd> factor(f.inverse.block(first, first, wide, wide));
   const MatrixXd alone = factor.matrixL().solve(f.inverse.middleRows(first, wide));
   const VectorXd size = factor.matrixL().solve(f.coefficients.segment(first, wide));
@@ -217,13 +217,13 @@ MatrixXd SlotModel::combined(const Fit& f, const MatrixXd& weights) const {
 }
 
 void SlotModel::take(const MatrixXd& rows, double sign, Fit& f) const {
-  const OfRegion& of = of_region(f.region);
-  inner_loop(of.entries.size(), [&](std::size_t i) {
-    const auto e = static_cast<std::size_t>(of.entries[i]);
+  const RegionEntries& list = entries_in(f.region);
+  inner_loop(list.entries.size(), [&](std::size_t i) {
+    const auto e = static_cast<std::size_t>(list.entries[i]);
     const std::vector<Index>& columns = entries_[e].columns;
     const auto wide = static_cast<Index>(columns.size());
     const MatrixXd own = rows(Eigen::all, errors_.moments().regions().places(f.region, columns));
-    MatrixXd::Map(f.grams.data() + of.first[e], wide, wide).noalias() -=
+    MatrixXd::Map(f.grams.data() + list.first[e], wide, wide).noalias() -=
         sign * (own.transpose() * own);
   });
 }
@@ -235,7 +235,7 @@ ConditionalMoments SlotModel::conditional(int entry, const Fit& given) const {
   const std::vector<Index> at =
       errors_.moments().regions().places(given.region, entries_[e].columns);
   const auto wide = static_cast<Index>(at.size());
-  return {MatrixXd::Map(given.grams.data() + of_region(given.region).first[e], wide, wide),
+  return {MatrixXd::Map(given.grams.data() + entries_in(given.region).first[e], wide, wide),
           given.target(at), alone.low, alone.high};
 }
 
@@ -256,7 +256,7 @@ std::vector<double> SlotModel::of_entries(const Fit& f, bool names_alone, const 
   std::vector<bool> taken(causes_.size(), false);  // one cause is named once, whatever its forms
   for (const int g : f.slots.entries) taken[static_cast<std::size_t>(cause_of(g))] = true;
   std::vector<double> all(entries_.size(), kNoOdds);
-  const std::vector<int>& list = of_region(f.region).entries;
+  const std::vector<int>& list = entries_in(f.region).entries;
   inner_loop(list.size(), [&](std::size_t i) {
     const auto e = static_cast<std::size_t>(list[i]);
     if (!taken[static_cast<std::size_t>(cause_of(list[i]))] &&

@@ -85,11 +85,14 @@ class SlotModel {
 
  private:
   /// Entries that meet a region, and where each one's matrix begins in Fit::grams.
-  struct OfRegion {
+  struct RegionEntries {
     std::vector<int> entries;
     std::vector<Eigen::Index> first;  ///< by entry; the length of all at the end
   };
-  OfRegion entries_of(int region) const;
+  RegionEntries entries_meeting(int region) const;
+  const RegionEntries& entries_in(int region) const {
+    return region_entries_[static_cast<std::size_t>(region + 1)];
+  }
   Posterior posterior(const Slots& slots) const;
   /// Products of an entry's columns (rows) with a region's. A search asks for the same ones again
   /// and again.
@@ -122,10 +125,7 @@ class SlotModel {
   std::vector<Entry> entries_;
   std::vector<int> regions_;  ///< of every entry
   std::vector<int> causes_;   ///< of every hypothesis: one number for all forms of a cause
-  const OfRegion& of_region(int region) const {
-    return of_region_[static_cast<std::size_t>(region + 1)];
-  }
-  std::vector<OfRegion> of_region_;  ///< everywhere, then the regions
+  std::vector<RegionEntries> region_entries_;  ///< everywhere, then the regions
   mutable std::shared_mutex guard_;
   /// By region and entry.
   mutable std::map<std::pair<int, int>, std::unique_ptr<Eigen::MatrixXd>> products_;

@@ -21,7 +21,10 @@ MatrixXd inverse_of_left(const MatrixXd& left, const VectorXd& diagonal) {
       diagonal.unaryExpr([](double d) { return d > 0.0 ? 1.0 / std::sqrt(d) : 0.0; });
   MatrixXd unit = scale.asDiagonal() * left * scale.asDiagonal();
   for (Index c = 0; c < unit.cols(); ++c)
-    if (unit(c, c) <= kDependent) unit.row(c).setZero(), unit.col(c).setZero();
+    if (unit(c, c) <= kDependent) {
+      unit.row(c).setZero();
+      unit.col(c).setZero();
+    }
   return scale.asDiagonal() * scaled_pseudo_inverse(unit) * scale.asDiagonal();
 }
 

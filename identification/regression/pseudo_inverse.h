@@ -6,7 +6,9 @@
 
 namespace sinew::diagnosis {
 
-/// Relative eigenvalues, of the matrix scaled to a unit diagonal, below this count as zero.
+/// Relative eigenvalues, of the matrix scaled to a unit diagonal, below this count as zero. A limit
+/// of rounding: the test of these functions holds both sides of it, 1e-7 to be inverted and 1e-11
+/// to be left out.
 inline constexpr double kDependent = 1e-10;
 
 /// Symmetric pseudo-inverse after scaling to a unit diagonal; relative eigenvalues below

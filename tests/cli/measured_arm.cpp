@@ -79,7 +79,8 @@ TEST_CASE("logs with and without a load of known mass share one model", "[slow][
   // Seen to fail: with no limit to a link's mass the shoulder's rotor was 120 kg of upper arm,
   // which no body has, and its joint kept 104 % of its standard deviation; so it did where the
   // adopted fit took another form of the same friction, whose term was left out of the model
-  // without a word.
+  // without a word. Without the condition no payload is told and the shoulder's rotor is 10.7 kg
+  // m^2.
   if (!std::filesystem::exists(data + "harmonics_loaded.csv"))
     return sinew::test::skip("../shared/data/ur10e is absent");
   const Workplace here;
