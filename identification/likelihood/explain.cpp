@@ -107,7 +107,7 @@ Explanation explain(const Problem& problem, const Settings& settings,
   Explanation result = s.explanation();
   Selection& adopted = problem.deviations.empty() ? result.selection : result.adopted;
   Verdict& verdict = result.verdict;
-  HeldOutJudge judge(s.design, settings, *s.found);
+  const HeldOutJudge judge(s.design, settings, *s.found);
   verdict.causes = judge.causes(s.of_slot, adopted);
   tell_baseline(s.design, result);
   tell_unnamed(*s.found, verdict.unexplained);

@@ -46,26 +46,16 @@ std::vector<int> hypotheses_of(const FoundSlots& found) {
   return all;
 }
 
-Whitening errors_of(const Design& design, const VectorXd& floor, const Model& model,
-                    const Hypotheses& all) {
-  return with_form_errors(whitening_beside(design, model, floor), model,
-                          all.parts.base.terms.size(), with_free_values(all));
-}
-
 /// The noise and what forms are off by, beside what was found, whose shapes join the others.
 void take_errors(const Searched& s, FoundSlots& found) {
-  found.whitening = errors_of(s.design, s.floor, found.model, found.all);
+  found.whitening =
+      with_form_errors(whitening_beside(s.design, found.model, s.floor), found.model,
+                       found.all.parts.base.terms.size(), with_free_values(found.all));
   add_fitted_shapes(s.design, found);
   make_moments(s.design, found);
 }
 
 }  // namespace
-
-Whitening errors_beside(const Design& design, const Settings& settings, const Model& model,
-                        const FoundSlots& found) {
-  return errors_of(design, immaterial_variance(design, settings, found.all.parts.base), model,
-                   found.all);
-}
 
 std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
                                        const Model& baseline, Rivals rivals,

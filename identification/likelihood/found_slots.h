@@ -33,10 +33,6 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
                                        const Model& baseline, Rivals rivals,
                                        const std::vector<SlotForm>& beginning);
 
-/// The noise beside a model of some of the slots' terms, and what their forms are off by.
-Whitening errors_beside(const Design& design, const Settings& settings, const Model& model,
-                        const FoundSlots& found);
-
 /// Per channel, the variance of a sample that is not material.
 Eigen::VectorXd immaterial_variance(const Design& design, const Settings& settings,
                                     const Model& model);

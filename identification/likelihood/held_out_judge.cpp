@@ -30,8 +30,8 @@ bool is_of_one_log(const Candidate& c) {
 
 }  // namespace
 
-Gain HeldOutJudge::confirmed(const Model& whole, std::size_t term,
-                             const Whitening& whitening) const {
+Gain HeldOutJudge::confirmed(const Model& whole, std::size_t term) const {
+  const Whitening& whitening = found_.whitening;
   const auto [with, without] = compared(design_, whole, term, whitening.training);
   const VectorXd channels = channels_of(design_, whole.terms[term]);
   const std::vector<Segment>& segments = design_.segments();
@@ -57,8 +57,7 @@ std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
   std::vector<NamedCause> gone;
   Model& model = adopted.model;
   const std::size_t first = model.terms.size() - list.size();
-  for (std::size_t i = 0; i < list.size(); ++i)
-    list[i].confirmed = confirmed(model, first + i, whitening_);
+  for (std::size_t i = 0; i < list.size(); ++i) list[i].confirmed = confirmed(model, first + i);
   const auto less_sure = [](const NamedCause& a, const NamedCause& b) {
     return standard_errors_above_zero(a.confirmed) < standard_errors_above_zero(b.confirmed);
   };
@@ -74,7 +73,7 @@ std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
     remove_term(design_, term, model);
     for (std::size_t i = 0; i < list.size(); ++i)
       if (channels_of(design_, model.terms[first + i]).dot(channels) > 0.0)
-        list[i].confirmed = confirmed(model, first + i, whitening_);
+        list[i].confirmed = confirmed(model, first + i);
   }
   if (gone.empty()) return gone;
   // The others' shapes were fitted beside what is gone.
@@ -84,12 +83,10 @@ std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
 }
 
 std::vector<NamedCause> HeldOutJudge::causes(const std::vector<NamedCause>& of_slot,
-                                             Selection& adopted) {
+                                             Selection& adopted) const {
   std::vector<NamedCause> list;
   for (const NamedCause& cause : of_slot)
     if (!cause.members.empty()) list.push_back(cause);
-  if (list.size() < of_slot.size())
-    whitening_ = errors_beside(design_, settings_, adopted.model, found_);
   std::vector<NamedCause> gone = withdrawn(list, adopted);
   const std::size_t first = adopted.model.terms.size() - list.size();
   for (std::size_t i = 0; i < list.size(); ++i) measure(adopted, first + i, list[i]);
@@ -108,7 +105,7 @@ void HeldOutJudge::confirm_structure(std::vector<Dependence>& depends_on) const 
   for (std::size_t i = 0; i < found_.slots.entries.size() && said != depends_on.end(); ++i) {
     const Hypothesis& h = hypothesis_of(found_, i);
     if (h.named || !is_told(found_, i)) continue;
-    if (!is_of_one_log(*h.source)) said->confirmed = confirmed(model, first + i, found_.whitening);
+    if (!is_of_one_log(*h.source)) said->confirmed = confirmed(model, first + i);
     ++said;
   }
 }

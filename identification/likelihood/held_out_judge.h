@@ -14,27 +14,26 @@ class HeldOutJudge {
  public:
   /// `found` stays where it is.
   HeldOutJudge(const Design& design, const Settings& settings, const FoundSlots& found)
-      : design_(design), settings_(settings), found_(found), whitening_(found.whitening) {}
+      : design_(design), settings_(settings), found_(found) {}
 
   /// Names with what they gain, largest gain first. `of_slot`: as name_slots() gives them, in the
   /// order of the last terms of `adopted`. What held-out logs do not confirm leaves it, the least
   /// sure name first, and the others are judged anew: of two that say nearly the same neither is
-  /// sure beside the other. Structure without a name is noise to them: it is not adopted.
-  std::vector<NamedCause> causes(const std::vector<NamedCause>& of_slot, Selection& adopted);
+  /// sure beside the other.
+  std::vector<NamedCause> causes(const std::vector<NamedCause>& of_slot, Selection& adopted) const;
 
   /// What they say of structure without a name, in the order of its slots.
   void confirm_structure(std::vector<Dependence>& depends_on) const;
 
  private:
   /// The whitened error with a term and without it.
-  Gain confirmed(const Model& whole, std::size_t term, const Whitening& whitening) const;
+  Gain confirmed(const Model& whole, std::size_t term) const;
   void measure(const Selection& selection, std::size_t term, NamedCause& cause) const;
   std::vector<NamedCause> withdrawn(std::vector<NamedCause>& list, Selection& adopted) const;
 
   const Design& design_;
   const Settings& settings_;
   const FoundSlots& found_;
-  Whitening whitening_;  ///< that names are judged under
 };
 
 }  // namespace sinew::diagnosis
