@@ -106,9 +106,7 @@ std::string DrivenSubject::place(std::size_t joint) const {
 }
 
 LogScale DrivenSubject::scale(std::size_t joint) const {
-  LogScale scale = scale_of(problem_.training, static_cast<int>(joint));
-  scale.turns_on_bristles = bristle_[joint];
-  return scale;
+  return scale_of(problem_.training, static_cast<int>(joint));
 }
 
 /// Joints: torques of the tendons' forces. Motors: what they measure themselves, their tendon a

@@ -11,8 +11,7 @@ namespace {
 std::vector<DeclaredValue> shapes_of(const Effect& effect, bool revolute) {
   std::vector<DeclaredValue> list;
   for (const ShapeParameter& shape : effect.shapes)
-    list.push_back(
-        {shape.name, unit_at(shape.unit, revolute), shape.limits, true, "", shape.before});
+    list.push_back({shape.name, unit_at(shape.unit, revolute), shape.limits});
   return list;
 }
 

@@ -18,8 +18,7 @@ struct DeclaredValue {
   std::string name, unit;
   ValueLimits limits = {};
   bool required = true;
-  std::string or_unit{};           ///< where it is not known whether the joint turns; may be empty
-  std::optional<double> before{};  ///< what an entry that does not have it means
+  std::string or_unit{};  ///< where it is not known whether the joint turns; may be empty
 };
 
 struct DeclaredEntry {
