@@ -16,17 +16,12 @@
 #define SINEW_NOT_INLINE
 #endif
 
-static double sinew_one_atan(double x)
-{
-    return sinew_atan(x);
-}
-
 SINEW_NOT_INLINE static double sinew_one_exp(double x)
 {
     return sinew_exp(x);
 }
 
-static double sinew_one_log(double x)
+SINEW_NOT_INLINE static double sinew_one_log(double x)
 {
     return sinew_log(x);
 }
@@ -83,25 +78,32 @@ void effects_coulomb_asymmetry(const double signals[SINEW_AT_LEAST(11)],
 }
 
 void effects_stribeck(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+    const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
 {
     const double t1 = signals[6] * sinew_one_exp(-(signals[1] * signals[1] / (shape[0]
         * shape[0])));
-    columns[0] = t1;
+    columns[0] = t1 / (shape[1] + (1.0 - shape[1]) * sinew_max(signals[6], -signals[6]));
 }
 
 void effects_concave_friction(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+    const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
 {
-    columns[0] = sinew_one_atan(signals[1] / shape[0]);
+    const double t1 = 1.0 / shape[0];
+    const double t2 = shape[1] * sinew_one_log(sinew_max(sinew_max(signals[1], -signals[1]) * t1,
+        1e-06));
+    const double t3 = signals[1] * sinew_one_exp(-(sinew_one_log(1.0 + sinew_one_exp(t2))
+        / shape[1]));
+    columns[0] = t3 * t1;
 }
 
 void effects_concave_power(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
+    const double shape[SINEW_AT_LEAST(3)], double columns[SINEW_AT_LEAST(1)])
 {
     const double t1 = sinew_one_log(sinew_max(sinew_max(signals[1], -signals[1]) / shape[0],
         1e-06));
-    columns[0] = signals[6] * sinew_one_exp(shape[1] * t1);
+    const double t2 = signals[6] * sinew_one_exp(shape[1] * t1) / (shape[2] + (1.0 - shape[2])
+        * sinew_max(signals[6], -signals[6]));
+    columns[0] = t2;
 }
 
 void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(11)],
@@ -111,21 +113,27 @@ void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(11)],
 }
 
 void effects_load_friction(const double signals[SINEW_AT_LEAST(11)],
-    double columns[SINEW_AT_LEAST(1)])
+    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
-    columns[0] = signals[6] * sinew_max(signals[4], -signals[4]);
+    const double t1 = signals[6] * sinew_max(signals[4], -signals[4]) / (shape[0] + (1.0 - shape[0])
+        * sinew_max(signals[6], -signals[6]));
+    columns[0] = t1;
 }
 
 void effects_friction_drift(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+    const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
 {
-    columns[0] = signals[6] * (1.0 - sinew_one_exp(-(signals[5] / shape[0])));
+    const double t1 = signals[6] * (1.0 - sinew_one_exp(-(signals[5] / shape[0]))) / (shape[1]
+        + (1.0 - shape[1]) * sinew_max(signals[6], -signals[6]));
+    columns[0] = t1;
 }
 
 void effects_position_friction(const double signals[SINEW_AT_LEAST(11)],
-    double columns[SINEW_AT_LEAST(1)])
+    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
-    columns[0] = signals[0] * signals[6];
+    const double t1 = signals[0] * signals[6] / (shape[0] + (1.0 - shape[0]) * sinew_max(signals[6],
+        -signals[6]));
+    columns[0] = t1;
 }
 
 void effects_ripple(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)],

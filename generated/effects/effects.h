@@ -79,31 +79,31 @@ void effects_coulomb_asymmetry(const double signals[SINEW_AT_LEAST(11)],
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
- *   in  shape         1 [SI] stribeck_velocity; made for 0.01..0.3
+ *   in  shape         2 [SI] stribeck_velocity, turning_share; made for 0.01..0.3, 0.05..1
  *   out columns       1 [SI] extra_at_rest
- * 3 multiplications, 0 additions, 1 divisions, 1 other functions. */
+ * 4 multiplications, 2 additions, 2 divisions, 2 other functions. */
 void effects_stribeck(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
-
-/* Terms of the effect 'friction concave in speed', to be multiplied by its coefficients.
- *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
- *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
- *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
- *   in  shape         1 [SI] bend; made for 0.03..0.4
- *   out columns       1 [SI] plateau
- * 0 multiplications, 0 additions, 1 divisions, 1 other functions. */
-void effects_concave_friction(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
-
-/* Terms of the effect 'friction concave in speed', to be multiplied by its coefficients.
- *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
- *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
- *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
- *   in  shape         2 [SI] top_speed, power; made for 1..1, 0.2..0.8
- *   out columns       1 [SI] at_top_speed
- * 2 multiplications, 0 additions, 1 divisions, 4 other functions. */
-void effects_concave_power(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'friction concave in speed', to be multiplied by its coefficients.
+ *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
+ *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
+ *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
+ *   in  shape         2 [SI] bend, sharpness; made for 0.03..1, 1..4
+ *   out columns       1 [SI] plateau
+ * 4 multiplications, 1 additions, 2 divisions, 6 other functions. */
+void effects_concave_friction(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'friction concave in speed', to be multiplied by its coefficients.
+ *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
+ *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
+ *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
+ *   in  shape         3 [SI] top_speed, power, turning_share; made for 1..1, 0.2..0.8, 0.05..1
+ *   out columns       1 [SI] at_top_speed
+ * 3 multiplications, 2 additions, 2 divisions, 5 other functions. */
+void effects_concave_power(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(3)], double columns[SINEW_AT_LEAST(1)]);
 
 /* Terms of the effect 'friction quadratic in speed', to be multiplied by its coefficients.
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
@@ -118,29 +118,31 @@ void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(11)],
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
+ *   in  shape         1 [SI] turning_share; made for 0.05..1
  *   out columns       1 [SI] share
- * 1 multiplications, 0 additions, 1 other functions. */
+ * 2 multiplications, 2 additions, 1 divisions, 2 other functions. */
 void effects_load_friction(const double signals[SINEW_AT_LEAST(11)],
-    double columns[SINEW_AT_LEAST(1)]);
+    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
 
 /* Terms of the effect 'slow drift of friction', to be multiplied by its coefficients.
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
- *   in  shape         1 [SI] time_constant; made for 0.05..2
+ *   in  shape         2 [SI] time_constant, turning_share; made for 0.05..2, 0.05..1
  *   out columns       1 [SI] change
- * 1 multiplications, 1 additions, 1 divisions, 1 other functions. */
+ * 2 multiplications, 3 additions, 2 divisions, 2 other functions. */
 void effects_friction_drift(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
+    const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)]);
 
 /* Terms of the effect 'friction that varies with position', to be multiplied by its coefficients.
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
+ *   in  shape         1 [SI] turning_share; made for 0.05..1
  *   out columns       1 [SI] slope
- * 1 multiplications, 0 additions. */
+ * 2 multiplications, 2 additions, 1 divisions, 1 other functions. */
 void effects_position_friction(const double signals[SINEW_AT_LEAST(11)],
-    double columns[SINEW_AT_LEAST(1)]);
+    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
 
 /* Terms of the effect 'ripple', to be multiplied by its coefficients.
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,

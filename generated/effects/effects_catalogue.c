@@ -122,11 +122,11 @@ static const double stribeck_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0
     -50.0, 0.001, -10000.0};
 static const double stribeck_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
     50.0, 10.0, 10000.0};
-static const double stribeck_shape_low[] = {0.01};
-static const double stribeck_shape_high[] = {0.3};
+static const double stribeck_shape_low[] = {0.01, 0.05};
+static const double stribeck_shape_high[] = {0.3, 1.0};
 static const sinew_argument stribeck_inputs[] = {
     {"signals", "SI", 11, 1, stribeck_signals_low, stribeck_signals_high},
-    {"shape", "SI", 1, 1, stribeck_shape_low, stribeck_shape_high},
+    {"shape", "SI", 2, 1, stribeck_shape_low, stribeck_shape_high},
 };
 static const sinew_argument stribeck_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
@@ -142,11 +142,11 @@ static const double concave_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.
     1e-04, -50.0, 0.001, -10000.0};
 static const double concave_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
     0.01, 50.0, 10.0, 10000.0};
-static const double concave_friction_shape_low[] = {0.03};
-static const double concave_friction_shape_high[] = {0.4};
+static const double concave_friction_shape_low[] = {0.03, 1.0};
+static const double concave_friction_shape_high[] = {1.0, 4.0};
 static const sinew_argument concave_friction_inputs[] = {
     {"signals", "SI", 11, 1, concave_friction_signals_low, concave_friction_signals_high},
-    {"shape", "SI", 1, 1, concave_friction_shape_low, concave_friction_shape_high},
+    {"shape", "SI", 2, 1, concave_friction_shape_low, concave_friction_shape_high},
 };
 static const sinew_argument concave_friction_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
@@ -162,11 +162,11 @@ static const double concave_power_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, 
     1e-04, -50.0, 0.001, -10000.0};
 static const double concave_power_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
     50.0, 10.0, 10000.0};
-static const double concave_power_shape_low[] = {1.0, 0.2};
-static const double concave_power_shape_high[] = {1.0, 0.8};
+static const double concave_power_shape_low[] = {1.0, 0.2, 0.05};
+static const double concave_power_shape_high[] = {1.0, 0.8, 1.0};
 static const sinew_argument concave_power_inputs[] = {
     {"signals", "SI", 11, 1, concave_power_signals_low, concave_power_signals_high},
-    {"shape", "SI", 2, 1, concave_power_shape_low, concave_power_shape_high},
+    {"shape", "SI", 3, 1, concave_power_shape_low, concave_power_shape_high},
 };
 static const sinew_argument concave_power_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
@@ -193,14 +193,17 @@ static void call_load_friction(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    effects_load_friction(x + 0, y + 0);
+    effects_load_friction(x + 0, x + 11, y + 0);
 }
 static const double load_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
     1e-04, -50.0, 0.001, -10000.0};
 static const double load_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
     50.0, 10.0, 10000.0};
+static const double load_friction_shape_low[] = {0.05};
+static const double load_friction_shape_high[] = {1.0};
 static const sinew_argument load_friction_inputs[] = {
     {"signals", "SI", 11, 1, load_friction_signals_low, load_friction_signals_high},
+    {"shape", "SI", 1, 1, load_friction_shape_low, load_friction_shape_high},
 };
 static const sinew_argument load_friction_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
@@ -216,11 +219,11 @@ static const double friction_drift_signals_low[] = {-3.0, -5.0, -50.0, -10000.0,
     1e-04, -50.0, 0.001, -10000.0};
 static const double friction_drift_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
     0.01, 50.0, 10.0, 10000.0};
-static const double friction_drift_shape_low[] = {0.05};
-static const double friction_drift_shape_high[] = {2.0};
+static const double friction_drift_shape_low[] = {0.05, 0.05};
+static const double friction_drift_shape_high[] = {2.0, 1.0};
 static const sinew_argument friction_drift_inputs[] = {
     {"signals", "SI", 11, 1, friction_drift_signals_low, friction_drift_signals_high},
-    {"shape", "SI", 1, 1, friction_drift_shape_low, friction_drift_shape_high},
+    {"shape", "SI", 2, 1, friction_drift_shape_low, friction_drift_shape_high},
 };
 static const sinew_argument friction_drift_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
@@ -230,14 +233,17 @@ static void call_position_friction(const void *in, void *out)
 {
     const double *x = (const double *)in;
     double *y = (double *)out;
-    effects_position_friction(x + 0, y + 0);
+    effects_position_friction(x + 0, x + 11, y + 0);
 }
 static const double position_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
     -1.0, 1e-04, -50.0, 0.001, -10000.0};
 static const double position_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
     0.01, 50.0, 10.0, 10000.0};
+static const double position_friction_shape_low[] = {0.05};
+static const double position_friction_shape_high[] = {1.0};
 static const sinew_argument position_friction_inputs[] = {
     {"signals", "SI", 11, 1, position_friction_signals_low, position_friction_signals_high},
+    {"shape", "SI", 1, 1, position_friction_shape_low, position_friction_shape_high},
 };
 static const sinew_argument position_friction_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
@@ -722,18 +728,18 @@ static const sinew_function functions[] = {
         call_viscous_asymmetry},
     {"effects_coulomb_asymmetry", 1, 1, 11, 1, coulomb_asymmetry_inputs, coulomb_asymmetry_outputs,
         call_coulomb_asymmetry},
-    {"effects_stribeck", 2, 1, 12, 1, stribeck_inputs, stribeck_outputs, call_stribeck},
-    {"effects_concave_friction", 2, 1, 12, 1, concave_friction_inputs, concave_friction_outputs,
+    {"effects_stribeck", 2, 1, 13, 1, stribeck_inputs, stribeck_outputs, call_stribeck},
+    {"effects_concave_friction", 2, 1, 13, 1, concave_friction_inputs, concave_friction_outputs,
         call_concave_friction},
-    {"effects_concave_power", 2, 1, 13, 1, concave_power_inputs, concave_power_outputs,
+    {"effects_concave_power", 2, 1, 14, 1, concave_power_inputs, concave_power_outputs,
         call_concave_power},
     {"effects_quadratic_friction", 1, 1, 11, 1, quadratic_friction_inputs,
         quadratic_friction_outputs, call_quadratic_friction},
-    {"effects_load_friction", 1, 1, 11, 1, load_friction_inputs, load_friction_outputs,
+    {"effects_load_friction", 2, 1, 12, 1, load_friction_inputs, load_friction_outputs,
         call_load_friction},
-    {"effects_friction_drift", 2, 1, 12, 1, friction_drift_inputs, friction_drift_outputs,
+    {"effects_friction_drift", 2, 1, 13, 1, friction_drift_inputs, friction_drift_outputs,
         call_friction_drift},
-    {"effects_position_friction", 1, 1, 11, 1, position_friction_inputs, position_friction_outputs,
+    {"effects_position_friction", 2, 1, 12, 1, position_friction_inputs, position_friction_outputs,
         call_position_friction},
     {"effects_ripple", 2, 1, 12, 2, ripple_inputs, ripple_outputs, call_ripple},
     {"effects_load_ripple", 2, 1, 12, 2, load_ripple_inputs, load_ripple_outputs, call_load_ripple},

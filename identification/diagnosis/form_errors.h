@@ -9,9 +9,8 @@ namespace sinew::diagnosis {
 
 /// estimates() with all that is known of their errors, as they are told and written to files;
 /// decisions go by the noise of one spectrum alone. What stretches of time say of it counts, and
-/// the form: where a cause has another one, the change of its coefficients with that form, and
-/// where it has its size twice, their difference. Of two values that are equally likely to be the
-/// right one the mean square error of either is half of their difference's square.
+/// where a cause has its size twice, their difference: of two values that are equally likely to be
+/// the right one the mean square error of either is half of their difference's square.
 std::vector<std::vector<ParameterEstimate>> told_estimates(const Design& design, const Model& model,
                                                            const NoiseView& noise);
 

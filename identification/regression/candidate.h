@@ -109,8 +109,6 @@ struct Candidate {
   bool unlikely = false;        ///< named only where no other cause explains as much
   bool of_body = false;         ///< parameters of a body
   bool has_model_form = false;  ///< its columns are the mechanism's own, unlike a friction law's
-  /// Its columns in a form that nature may have as well; empty: none is known (form_errors.h).
-  ColumnFunction other_form;
   bool sized_twice = false;  ///< its one coefficient and its first nonlinear parameter are one size
   bool of_its_time = false;  ///< says what was at some time of a log, which no other log confirms
   bool nuisance = false;     ///< is in every measurement: fitted, and no name for what is wrong

@@ -106,7 +106,9 @@ std::string DrivenSubject::place(std::size_t joint) const {
 }
 
 LogScale DrivenSubject::scale(std::size_t joint) const {
-  return scale_of(problem_.training, static_cast<int>(joint));
+  LogScale scale = scale_of(problem_.training, static_cast<int>(joint));
+  scale.turns_on_bristles = bristle_[joint];
+  return scale;
 }
 
 /// Joints: torques of the tendons' forces. Motors: what they measure themselves, their tendon a

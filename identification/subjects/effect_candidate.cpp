@@ -29,8 +29,7 @@ struct SignalSamples {
   std::array<double, signals> value{};
   double start = 0.0;  ///< of the log
 
-  /// direction: instead of the log's own; may be null.
-  SignalSamples(const Recording& log, int axis, const VectorXd* direction) {
+  SignalSamples(const Recording& log, int axis) {
     const auto column = [&](const MatrixXd& x) { return x.data() + axis * x.rows(); };
     samples[0] = column(log.q);
     samples[1] = column(log.qd);
@@ -41,7 +40,7 @@ struct SignalSamples {
     else if (log.load.size() > 0)
       samples[4] = column(log.load);
     samples[5] = log.time.data();
-    samples[6] = direction ? direction->data() : column(log.signals.at("direction"));
+    samples[6] = column(log.signals.at("direction"));
     value[7] = log.step;
     start = log.started();
     constexpr const char* of_links[] = {"parting", "carried_inertia", "carried_jounce"};
@@ -58,6 +57,7 @@ struct SignalSamples {
 double unit_of(Scale scale, const LogScale& log) {
   switch (scale) {
     case Scale::none:
+    case Scale::turning:
       return 1.0;
     case Scale::reach:
       return log.high - log.low;
@@ -82,10 +82,14 @@ LinearParameter linear_parameter(const EffectColumn& column, bool revolute) {
   return p;
 }
 
-/// Friction by the load or at a place is that of another contact than the one of which the model
-/// knows how it turns.
-bool is_of_another_contact(const Effect& effect) {
-  return effect.id == "load_friction" || effect.id == "position_friction";
+/// Bounds and starting points beside a log of that scale.
+NonlinearParameter nonlinear_parameter(const ShapeParameter& p, const LogScale& scale,
+                                       bool revolute) {
+  const std::string unit = unit_at(p.unit, revolute);
+  if (p.scale == Scale::turning && scale.turns_on_bristles)
+    return {p.name, unit, p.high, p.high, 1, true};
+  const double one = unit_of(p.scale, scale);
+  return {p.name, unit, p.low * one, p.high * one, p.grid, p.low > 0.0};
 }
 
 }  // namespace
@@ -116,10 +120,10 @@ Regressor::Regressor(const Effect& effect)
 }
 
 MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int axis,
-                        const VectorXd& shape, const VectorXd* direction) {
+                        const VectorXd& shape) {
   const sinew_function& function = *regressor.function;
   const Index count = regressor.columns;
-  const SignalSamples x(log, axis, direction);
+  const SignalSamples x(log, axis);
   std::vector<double> in(static_cast<std::size_t>(function.input_size));
   std::vector<double> out(static_cast<std::size_t>(function.output_size));
   std::copy(shape.begin(), shape.end(), in.begin() + static_cast<std::ptrdiff_t>(signals));
@@ -147,11 +151,8 @@ Candidate effect_candidate(const Effect& effect, const EffectPlace& place, const
   for (const EffectColumn& column : effect.columns)
     c.linear.push_back(linear_parameter(column, place.revolute));
   if (!fixed)
-    for (const ShapeParameter& p : effect.shapes) {
-      const double unit = unit_of(p.scale, scale);
-      c.nonlinear.push_back({p.name, unit_at(p.unit, place.revolute), p.low * unit, p.high * unit,
-                             p.grid, p.low > 0.0});
-    }
+    for (const ShapeParameter& p : effect.shapes)
+      c.nonlinear.push_back(nonlinear_parameter(p, scale, place.revolute));
   if (std::any_of(effect.shapes.begin(), effect.shapes.end(),
                   [](const auto& s) { return s.inside || s.above; }))
     c.possible = [shapes = effect.shapes, ranges = c.nonlinear](const VectorXd&,
@@ -167,13 +168,6 @@ Candidate effect_candidate(const Effect& effect, const EffectPlace& place, const
     if (channel != axis) return {};
     return effect_columns(regressor, log, axis, fixed ? *fixed : nonlinear);
   };
-  if (is_of_another_contact(effect))
-    c.other_form = [regressor = Regressor(effect), axis = place.axis, fixed](
-                       const Recording& log, int channel, const VectorXd& nonlinear) -> MatrixXd {
-      if (channel != axis) return {};
-      const VectorXd at_once = log.qd.col(axis).cwiseSign();
-      return effect_columns(regressor, log, axis, fixed ? *fixed : nonlinear, &at_once);
-    };
   return c;
 }
 

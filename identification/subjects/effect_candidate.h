@@ -21,11 +21,12 @@ struct EffectPlace {
 
 /// What a log covers at one joint, SI units.
 struct LogScale {
-  double low = 0.0, high = 1.0;  ///< position
-  double speed = 1.0;            ///< largest |velocity|
-  double duration = 1.0;         ///< s
-  double load = 0.0;             ///< largest |load|
-  double mobility = 1.0;         ///< acceleration that goes with an effort
+  double low = 0.0, high = 1.0;    ///< position
+  double speed = 1.0;              ///< largest |velocity|
+  double duration = 1.0;           ///< s
+  double load = 0.0;               ///< largest |load|
+  double mobility = 1.0;           ///< acceleration that goes with an effort
+  bool turns_on_bristles = false;  ///< the model's friction, which else turns with the speed
 };
 LogScale scale_of(const std::vector<Recording>& logs, int axis);
 
@@ -40,10 +41,9 @@ struct Regressor {
 
 /// samples x columns at the given shape parameters. The recording needs q, qd, qdd, time, and the
 /// signals "direction" and "jounce"; a missing load counts as zero. "acceleration" goes before qdd,
-/// "carried" before the load. direction: instead of the signal, as many samples; may be null.
+/// "carried" before the load.
 Eigen::MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int axis,
-                               const Eigen::VectorXd& shape,
-                               const Eigen::VectorXd* direction = nullptr);
+                               const Eigen::VectorXd& shape);
 
 /// The candidate. Where `fixed` is given it holds all shape parameters, else they are searched
 /// within the effect's limits.

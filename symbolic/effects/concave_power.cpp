@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/effects/effects.h"
+#include "symbolic/effects/turning.h"
 #include "symbolic/expressions/piecewise.h"
 
 namespace sinew {
@@ -12,8 +13,9 @@ Effect concave_power() {
   e.shapes.back().limits = {0.0, 1.0, true};
   // Below a millionth of the highest speed there is no motion to speak of.
   const GiNaC::ex speed = maximum(magnitude(s.velocity) / top, GiNaC::numeric(1, 1000000));
+  const GiNaC::ex direction = turning_direction(e);
   e.column("at_top_speed", "{effort}", Sign::positive,
-           s.direction * GiNaC::exp(power * GiNaC::log(speed)));
+           direction * GiNaC::exp(power * GiNaC::log(speed)));
   e.signature = "friction over velocity bends like a root";
   e.excitation = "the whole range of speeds";
   e.experiment = "constant speeds from slow to fast, both ways";

@@ -7,6 +7,7 @@
 #include <ginac/ginac.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,9 @@ const EffectSignals& effect_signals();
 /// All signals, in the order in which emitted regressors take them.
 std::vector<GiNaC::symbol> signal_list();
 
-/// What a range of a shape parameter is measured in; mobility: the
-/// reciprocal of the inertia that the efforts show.
-enum class Scale { none, reach, speed, duration, mobility };
+/// What a range of a shape parameter is measured in; mobility: the reciprocal of the inertia that
+/// the efforts show; turning: a share, 1 where the model's friction turns on bristles.
+enum class Scale { none, reach, speed, duration, mobility, turning };
 
 /// What a value of a parameter may be, SI units.
 struct ValueLimits {
@@ -59,6 +60,7 @@ struct ShapeParameter {
   bool above = false;   ///< nor one that ends at `low`
   /// What it may be physically; `low` and `high` say where it is looked for.
   ValueLimits limits{0.0, std::numeric_limits<double>::infinity(), true};
+  std::optional<double> before{};  ///< its value where an identified.toml of old does not have it
 };
 
 enum class Sign { any, positive, negative };

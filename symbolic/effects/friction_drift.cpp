@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/effects/effects.h"
+#include "symbolic/effects/turning.h"
 
 namespace sinew {
 
@@ -7,7 +8,8 @@ Effect friction_drift() {
   Effect e("friction_drift", "slow drift of friction");
   const EffectSignals& s = effect_signals();
   const GiNaC::ex duration = e.shape("time_constant", "s", Scale::duration, 0.05, 2.0, 3);
-  e.column("change", "{effort}", Sign::any, s.direction * (1 - GiNaC::exp(-s.time / duration)));
+  const GiNaC::ex direction = turning_direction(e);
+  e.column("change", "{effort}", Sign::any, direction * (1 - GiNaC::exp(-s.time / duration)));
   e.signature = "the step at reversals changes in the course of the log";
   e.excitation = "a log longer than warming up takes";
   e.experiment = "the same motion repeated from cold until nothing changes";

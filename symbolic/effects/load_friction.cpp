@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/effects/effects.h"
+#include "symbolic/effects/turning.h"
 #include "symbolic/expressions/piecewise.h"
 
 namespace sinew {
@@ -7,7 +8,8 @@ namespace sinew {
 Effect load_friction() {
   Effect e("load_friction", "load-dependent friction");
   const EffectSignals& s = effect_signals();
-  e.column("share", "1", Sign::positive, s.direction * magnitude(s.load));
+  const GiNaC::ex direction = turning_direction(e);
+  e.column("share", "1", Sign::positive, direction * magnitude(s.load));
   e.signature = "the step at a reversal grows with the load";
   e.excitation = "reversals under different loads";
   e.experiment = "slow triangular motion under several loads";

@@ -11,7 +11,8 @@ namespace {
 std::vector<DeclaredValue> shapes_of(const Effect& effect, bool revolute) {
   std::vector<DeclaredValue> list;
   for (const ShapeParameter& shape : effect.shapes)
-    list.push_back({shape.name, unit_at(shape.unit, revolute), shape.limits});
+    list.push_back(
+        {shape.name, unit_at(shape.unit, revolute), shape.limits, true, "", shape.before});
   return list;
 }
 

@@ -18,7 +18,8 @@ struct DeclaredValue {
   std::string name, unit;
   ValueLimits limits = {};
   bool required = true;
-  std::string or_unit{};  ///< where it is not known whether the joint turns; may be empty
+  std::string or_unit{};           ///< where it is not known whether the joint turns; may be empty
+  std::optional<double> before{};  ///< what an entry that does not have it means
 };
 
 struct DeclaredEntry {

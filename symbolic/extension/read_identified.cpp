@@ -148,6 +148,8 @@ class IdentifiedReader {
     for (const DeclaredValue& each : declared) {
       if (const auto found = read.find(each.name); found != read.end())
         result.push_back(found->second);
+      else if (each.before)
+        result.push_back({each.name, *each.before, 0.0, each.unit});
       else if (each.required)
         entry.report(key, fmt::format("{} has no {} '{}'", entry.path(), key, each.name),
                      fmt::format("expected {} [{}]", each.name, each.unit));

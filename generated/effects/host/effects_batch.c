@@ -88,7 +88,9 @@ void effects_stribeck_batch(int count, const double *SINEW_RESTRICT signals,
     for (size_t state = 0; state < n; ++state) {
         const double t1 = signals[1 * n + state] * signals[1 * n + state] / (shape[state]
             * shape[state]);
-        columns[state] = signals[6 * n + state] * sinew_exp(-t1);
+        const double t2 = (1.0 - shape[1 * n + state]) * sinew_max(signals[6 * n + state],
+            -signals[6 * n + state]);
+        columns[state] = signals[6 * n + state] * sinew_exp(-t1) / (shape[1 * n + state] + t2);
     }
 }
 
@@ -98,7 +100,12 @@ void effects_concave_friction_batch(int count, const double *SINEW_RESTRICT sign
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        columns[state] = sinew_atan(signals[1 * n + state] / shape[state]);
+        const double t1 = 1.0 / shape[state];
+        const double t2 = sinew_max(sinew_max(signals[1 * n + state], -signals[1 * n + state]) * t1,
+            1e-06);
+        const double t3 = sinew_log(1.0 + sinew_exp(shape[1 * n + state] * sinew_log(t2))) / shape[1
+            * n + state];
+        columns[state] = signals[1 * n + state] * sinew_exp(-t3) * t1;
     }
 }
 
@@ -111,7 +118,9 @@ void effects_concave_power_batch(int count, const double *SINEW_RESTRICT signals
         const double t1 = sinew_max(signals[1 * n + state], -signals[1 * n + state]) / shape[state];
         const double t2 = signals[6 * n + state] * sinew_exp(shape[1 * n + state]
             * sinew_log(sinew_max(t1, 1e-06)));
-        columns[state] = t2;
+        const double t3 = (1.0 - shape[2 * n + state]) * sinew_max(signals[6 * n + state],
+            -signals[6 * n + state]);
+        columns[state] = t2 / (shape[2 * n + state] + t3);
     }
 }
 
@@ -128,14 +137,16 @@ void effects_quadratic_friction_batch(int count, const double *SINEW_RESTRICT si
 }
 
 void effects_load_friction_batch(int count, const double *SINEW_RESTRICT signals,
-    double *SINEW_RESTRICT columns)
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[6 * n + state] * sinew_max(signals[4 * n + state], -signals[4 * n
+        const double t1 = (1.0 - shape[state]) * sinew_max(signals[6 * n + state], -signals[6 * n
             + state]);
-        columns[state] = t1;
+        const double t2 = signals[6 * n + state] * sinew_max(signals[4 * n + state], -signals[4 * n
+            + state]);
+        columns[state] = t2 / (shape[state] + t1);
     }
 }
 
@@ -145,19 +156,23 @@ void effects_friction_drift_batch(int count, const double *SINEW_RESTRICT signal
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[6 * n + state] * (1.0 - sinew_exp(-(signals[5 * n + state]
+        const double t1 = (1.0 - shape[1 * n + state]) * sinew_max(signals[6 * n + state],
+            -signals[6 * n + state]);
+        const double t2 = signals[6 * n + state] * (1.0 - sinew_exp(-(signals[5 * n + state]
             / shape[state])));
-        columns[state] = t1;
+        columns[state] = t2 / (shape[1 * n + state] + t1);
     }
 }
 
 void effects_position_friction_batch(int count, const double *SINEW_RESTRICT signals,
-    double *SINEW_RESTRICT columns)
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
 {
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        columns[state] = signals[state] * signals[6 * n + state];
+        const double t1 = (1.0 - shape[state]) * sinew_max(signals[6 * n + state], -signals[6 * n
+            + state]);
+        columns[state] = signals[state] * signals[6 * n + state] / (shape[state] + t1);
     }
 }
 

@@ -43,11 +43,11 @@ void effects_concave_power_batch(int count, const double *SINEW_RESTRICT signals
 void effects_quadratic_friction_batch(int count, const double *SINEW_RESTRICT signals,
     double *SINEW_RESTRICT columns);
 void effects_load_friction_batch(int count, const double *SINEW_RESTRICT signals,
-    double *SINEW_RESTRICT columns);
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
 void effects_friction_drift_batch(int count, const double *SINEW_RESTRICT signals,
     const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
 void effects_position_friction_batch(int count, const double *SINEW_RESTRICT signals,
-    double *SINEW_RESTRICT columns);
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
 void effects_ripple_batch(int count, const double *SINEW_RESTRICT signals,
     const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
 void effects_load_ripple_batch(int count, const double *SINEW_RESTRICT signals,

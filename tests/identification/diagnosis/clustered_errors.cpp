@@ -87,25 +87,6 @@ TEST_CASE("noise that comes with the motion is in the standard error") {
   CHECK(ratio < 1.5);
 }
 
-TEST_CASE("an interval holds the other form that a cause may have") {
-  // Planted defect, seen to fail: estimates() told as they are. Sealed drives with friction by the
-  // load, which turned at once where the model's turned slowly, had 11 % more told than hidden,
-  // with a standard error of 3 %.
-  const auto slow = [](double v) { return std::tanh(v / 0.5); };
-  Candidate friction = of_speed(slow);
-  const ArrayXd effort = 0.5 * speed().sign() + 0.05 * white(speed().size(), 7);
-  const Problem problem = moved(effort);
-  const Design design(problem, test::below_20_hz());
-  friction.other_form = of_speed([](double v) { return v < 0.0 ? -1.0 : 1.0; }).columns;
-  const Model model = fitted(design, friction, {});
-  const NoiseView noise = own_noise(design, model);
-  const ParameterEstimate plain = estimates(design, model, noise).front().front();
-  const ParameterEstimate told = told_estimates(design, model, noise).front().front();
-  CHECK(std::abs(plain.value - 0.5) > 3.0 * plain.standard_error);
-  CHECK(std::abs(told.value - 0.5) < 1.96 * told.standard_error);
-  CHECK(told.value == plain.value);
-}
-
 TEST_CASE("two numbers for one size are as far off as they are apart") {
   // Planted defect, seen to fail: the standard error of one of them, which was a sixteenth of the
   // error at a sealed drive with a play in its sensor.

@@ -4,6 +4,7 @@
 #include "symbolic/effects/effects.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <set>
 
 #include "symbolic/effects/effect_functions.h"
@@ -99,6 +100,26 @@ TEST_CASE("friction is odd in the motion and takes energy") {
       }
     CHECK(effort_at(effect, 0.4, 2.0) > 0.0);
   }
+}
+
+TEST_CASE("friction turns as the model's does, or sooner") {
+  // Planted defects, seen to fail: the direction to the power of the share, which leaps at
+  // standstill; a share that counts the other way round.
+  const Effect& effect = find_effect("position_friction");
+  const auto direction = [&](double of_model, double share) {
+    const EffectSignals& s = effect_signals();
+    const GiNaC::ex value = effect.columns.front().term.subs(GiNaC::exmap{
+        {s.direction, of_model}, {s.position, 1.0}, {effect.shapes.front().symbol, share}});
+    return GiNaC::ex_to<GiNaC::numeric>(value.evalf()).to_double();
+  };
+  for (const double d : {-1.0, -0.3, -1e-4, 0.0, 1e-4, 0.3, 1.0}) {
+    CHECK(direction(d, 1.0) == Approx(d));
+    CHECK(direction(-d, 0.1) == Approx(-direction(d, 0.1)));
+    CHECK(std::abs(direction(d, 0.1)) <= 1.0);
+  }
+  CHECK(direction(1.0, 0.1) == Approx(1.0));
+  CHECK(direction(1e-6, 0.1) == Approx(1e-5).epsilon(1e-4));
+  CHECK(direction(0.3, 0.1) > 0.8);
 }
 
 TEST_CASE("an effect that does not exist is refused with those that do") {

@@ -84,6 +84,16 @@ TEST_CASE("values are converted to SI, in whatever order they stand") {
                        value("coefficient", "viscous_change", "3", "N*s/m"))) == "");
 }
 
+TEST_CASE("an entry without a shape that its effect had not then means what it meant") {
+  // Planted defect, seen to fail: shapes without `before`, so that "has no shape 'turning_share'".
+  const IdentifiedEffect law = read(stribeck("0.01")).effects.front();
+  REQUIRE(law.shape.size() == 2);
+  CHECK(law.shape[1].name == "turning_share");
+  CHECK(law.shape[1].value == 1.0);
+  CHECK_THAT(mistakes(entry("stribeck", "q1", value("coefficient", "extra_at_rest", "1", "N*m"))),
+             Catch::Contains("has no shape 'stribeck_velocity'"));
+}
+
 TEST_CASE("what no effect declares is refused with its place") {
   using Catch::Contains;
   // Planted defects, each seen to fail: no check of the limits (Stribeck at 0 was read), of units
