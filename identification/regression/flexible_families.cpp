@@ -113,6 +113,34 @@ Candidate position_and_load(const FlexibleRanges& r, double soft, int axis, int 
   return c;
 }
 
+/// |velocity| through a low-pass of that time constant, from rest at a log's start [s].
+VectorXd recent_speed(const Recording& log, int axis, double time_constant) {
+  VectorXd recent(log.qd.rows());
+  const double share = 1.0 - std::exp(-log.step / time_constant);
+  double value = 0.0;
+  for (Index k = 0; k < recent.size(); ++k)
+    recent(k) = value += share * (std::abs(log.qd(k, axis)) - value);
+  return recent;
+}
+
+/// Friction that motion wears down or builds up, and that recovers within a time of its own.
+Candidate by_recent_speed(const FlexibleRanges& r, double soft, bool by_direction, int axis,
+                          int channel) {
+  Candidate c =
+      unnamed(CandidateKind::flexible,
+              by_direction ? "recent speed x direction" : "recent speed x velocity", axis, channel);
+  constexpr int count = 6;
+  c.nonlinear = {{"time constant", "s", 0.2, 10.0, 4, true}};
+  add_coefficients(c, count);
+  c.columns = [r, soft, by_direction, axis](const Recording& log, int, const VectorXd& p) {
+    const MatrixXd basis = spline_basis(recent_speed(log, axis, p(0)), 0.0, r.speed, count);
+    const VectorXd turn =
+        by_direction ? VectorXd(direction(log, axis, soft)) : VectorXd(log.qd.col(axis));
+    return MatrixXd(turn.asDiagonal() * basis);
+  };
+  return c;
+}
+
 /// A level of its own for every stroke between two reversals; where there are more strokes than
 /// columns neighbours share one.
 Candidate stroke_by_stroke(double rest, int stretches, bool by_direction, int axis, int channel) {
@@ -279,6 +307,8 @@ std::vector<Candidate> flexible_families(const FlexibleRanges& r, int axis, int 
   if (r.load > 0.0) list.push_back(position_and_load(r, soft, axis, channel));
   list.push_back(stroke_by_stroke(soft, r.stretches, false, axis, channel));
   list.push_back(stroke_by_stroke(soft, r.stretches, true, axis, channel));
+  for (const bool by_direction : {true, false})
+    list.push_back(by_recent_speed(r, soft, by_direction, axis, channel));
   list.push_back(any_period_in_position(r, axis, channel));
   list.push_back(any_swing_of_friction(r, soft, axis, channel));
   return list;

@@ -20,8 +20,8 @@ struct FlexibleRanges {
 
 /// Flexible families of one axis (column of the recording's matrices), acting on one channel:
 /// cubic B-splines in position, velocity, time, load, way since the last reversal, some of them
-/// times the direction; position and velocity together; a sine of any period in position, and a
-/// friction that waxes and wanes in time.
+/// times the direction; position and velocity together; friction by the recent speed; a sine of any
+/// period in position, and a friction that waxes and wanes in time.
 std::vector<Candidate> flexible_families(const FlexibleRanges& ranges, int axis = 0,
                                          int channel = 0);
 

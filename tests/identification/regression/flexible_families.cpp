@@ -115,6 +115,32 @@ TEST_CASE("every stroke has a column of its own, neighbours share one where ther
   }
 }
 
+// Seen red with a speed that is the present one, and with a velocity in place of the direction.
+TEST_CASE("friction by the recent speed is what motion has warmed up and rest has cooled") {
+  const auto families = diagnosis::flexible_families({-1.0, 1.0, 1.0, 0.0, 40.0});
+  const auto recent = std::find_if(families.begin(), families.end(), [](const auto& c) {
+    return c.depends_on == "recent speed x direction";
+  });
+  REQUIRE(recent != families.end());
+  diagnosis::Recording log;
+  log.step = 0.01;
+  log.qd.resize(4000, 1);
+  VectorXd friction(4000);
+  double warm = 0.0;
+  for (Index i = 0; i < 4000; ++i) {
+    const double t = log.step * static_cast<double>(i);
+    log.qd(i, 0) = (i / 800) % 2 == 0 ? std::cos(3.0 * t) : 0.2 * std::cos(3.0 * t);
+    warm += (1.0 - std::exp(-log.step / 2.0)) * (std::abs(log.qd(i, 0)) - warm);
+    friction(i) = std::tanh(log.qd(i, 0) / 0.01) * (1.0 - warm);
+  }
+  const Eigen::MatrixXd x = recent->columns(log, 0, VectorXd::Constant(1, 2.0));
+  const VectorXd left = friction - x * x.colPivHouseholderQr().solve(friction);
+  CHECK(left.norm() < 1e-9 * friction.norm());
+  const Eigen::MatrixXd other = recent->columns(log, 0, VectorXd::Constant(1, 0.2));
+  const VectorXd more = friction - other * other.colPivHouseholderQr().solve(friction);
+  CHECK(more.norm() > 0.01 * friction.norm());
+}
+
 TEST_CASE("many logs have no more columns for their strokes than one") {
   diagnosis::FlexibleRanges ranges{-1.0, 1.0, 1.0, 0.0, 20.0};
   for (const int logs : {1, 3, 20}) {
