@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/logs/driven_request.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <stdexcept>
 
 #include "generator/assemble.h"
@@ -61,6 +64,19 @@ void set_robot(const std::filesystem::path& folder, const Mechanism& mechanism,
   };
 }
 
+/// With which the model's logs were read before. Others would spoil what those have taught.
+void take_learnt_constants(DiagnoseRequest& request) {
+  constexpr double same = 1e-6;  // of a constant that was written by hand
+  for (const auto& [joint, learnt] : request.identified.torque_constants) {
+    const double given = request.torque_constants.emplace(joint, learnt).first->second;
+    if (std::abs(given / learnt - 1.0) > same)
+      throw std::invalid_argument(fmt::format(
+          "the torque constant of '{0}' is given as {1:.6g}, and identified.toml was learnt from "
+          "currents with {2:.6g}: give that one, or start from the model without identified.toml",
+          joint, given, learnt));
+  }
+}
+
 /// An entry for no joint is a slip of the pen.
 void check_constants(const DiagnoseRequest& request) {
   const diagnosis::DrivenChannels channels = request.channels(request.logs.front());
@@ -112,6 +128,7 @@ void set_hand(const Hand& hand, const Identified& identified, DiagnoseRequest& r
 }  // namespace
 
 std::vector<HeldJoint> set_driven_model(const ModelFolder& folder, DiagnoseRequest& request) {
+  take_learnt_constants(request);
   if (const Mechanism* mechanism = std::get_if<Mechanism>(&folder.model)) {
     Mechanism moving = *mechanism;
     std::vector<HeldJoint> held = hold_still_joints(moving, request);

@@ -81,6 +81,7 @@ class Run {
     refuse_held_out_twins(read.logs);
     subject_ = std::move(read.subject);
     columns_ = std::move(read.columns);
+    torque_constants_ = std::move(read.torque_constants);
     result_.findings.logs = std::move(read.logs);
   }
 
@@ -210,6 +211,9 @@ class Run {
     result_.extended = extended(request_.identified, e.possible.terms);
     for (const LogRecord& log : f.logs)
       if (!log.held_out) result_.extended.logs.push_back({log.file, log.sha256});
+    // Another log fits others, beside which what this one teaches is wrong.
+    for (const auto& [joint, constant] : torque_constants_)
+      result_.extended.torque_constants[joint] = constant;
     decide_adoption(e.any, !request_.holdout.empty(), f.verdict.held_out, emitted_functions(),
                     f.extension);
     if (worse)
@@ -267,6 +271,7 @@ class Run {
   const DiagnoseRequest& request_;
   DrivenSubject subject_;
   std::map<std::string, std::vector<LoggedColumn>> columns_;  ///< by file
+  std::map<std::string, double> torque_constants_;            ///< by joint
   std::vector<DataFault> discrepant_;
   std::vector<UnquietChannel> unquiet_;
   Diagnosis result_;

@@ -120,4 +120,14 @@ std::vector<std::string> fit_constants(const LoggedMotion& logged,
   return said;
 }
 
+std::map<std::string, double> constants_used(const LoggedMotion& logged) {
+  std::map<std::string, double> used;
+  for (std::size_t i = 0; i < logged.logs.size(); ++i)
+    for (const ChannelSpec& spec : logged.channels[i].specs)
+      if (spec.per_ampere > 0.0 && logged.logs[i].channel(spec.name) >= 0 &&
+          channel_of(logged.logs[i], spec.name).is_current)
+        used[joint_of_effort(spec.name)] = spec.per_ampere;
+  return used;
+}
+
 }  // namespace sinew::diagnosis

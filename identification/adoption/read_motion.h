@@ -36,4 +36,7 @@ std::vector<std::string> fit_constants(const LoggedMotion& logged,
                                        const DrivenSubject& subject,
                                        std::map<std::string, double>& constants);
 
+/// By joint, the constants with which efforts that are logged as currents were read [N·m/A, N/A].
+std::map<std::string, double> constants_used(const LoggedMotion& logged);
+
 }  // namespace sinew::diagnosis

@@ -19,7 +19,7 @@ namespace {
 class SubjectReader {
  public:
   explicit SubjectReader(const DiagnoseRequest& request)
-      : request_(request), read_{empty_subject(request), {}, {}} {}
+      : request_(request), read_{empty_subject(request), {}, {}, {}} {}
 
   SubjectOfLogs operator()() {
     std::map<std::string, double> constants = request_.torque_constants;
@@ -31,6 +31,7 @@ class SubjectReader {
         notes.push_back(std::move(note));
       logged = read_logs(request_, constants);
     }
+    read_.torque_constants = constants_used(logged);
     for (std::size_t i = 0; i < logged.logs.size(); ++i)
       take(logged.logs[i], logged.channels[i], i >= request_.logs.size());
     tell_missing_loads(read_.subject.complete_loads());

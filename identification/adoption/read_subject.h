@@ -19,6 +19,8 @@ struct SubjectOfLogs {
   /// By file: what each channel of the problem is measured by.
   std::map<std::string, std::vector<LoggedColumn>> columns;
   std::vector<LogRecord> logs;  ///< training logs first
+  /// By joint, with which efforts that are logged as currents were read [N·m/A, N/A].
+  std::map<std::string, double> torque_constants = {};
 };
 
 /// Throws LogError where going on with a log is not safe, std::invalid_argument for a load that the

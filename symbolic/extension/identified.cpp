@@ -45,6 +45,9 @@ std::string identified_text(const Identified& identified) {
       "# take it back.\n";
   for (const IdentifiedLog& log : identified.logs)
     text += fmt::format("\n[[log]]\nfile = {}\nsha256 = \"{}\"\n", in_quotes(log.file), log.sha256);
+  for (const auto& [joint, constant] : identified.torque_constants)
+    text += fmt::format("\n[[torque_constant]]\njoint = {}\nvalue = {}  # {}\n", in_quotes(joint),
+                        constant, "effort of 1 A [N*m/A, N/A] with which currents were read");
   for (const IdentifiedEffect& effect : identified.effects) {
     text +=
         fmt::format("\n[[effect]]\neffect = \"{}\"\nplace = \"{}\"\n", effect.effect, effect.place);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct IdentifiedEffect {
 struct Identified {
   std::vector<IdentifiedEffect> effects;
   std::vector<IdentifiedLog> logs;
+  /// By joint, the effort of 1 A [N·m/A, N/A] with which currents were read: given, or fitted to
+  /// the first logs. What was learnt there holds with these alone.
+  std::map<std::string, double> torque_constants = {};
   bool empty() const { return effects.empty(); }
 };
 

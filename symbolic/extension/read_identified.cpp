@@ -42,6 +42,8 @@ class IdentifiedReader {
   Identified read(TomlTable root) {
     Identified result;
     for (TomlTable& table : root.tables("log")) result.logs.push_back(log(table));
+    for (TomlTable& table : root.tables("torque_constant"))
+      torque_constant(table, result.torque_constants);
     for (TomlTable& table : root.tables("effect")) {
       IdentifiedEffect entry = effect(table);
       refuse_second(table, entry, result.effects);
@@ -62,6 +64,18 @@ class IdentifiedReader {
     log.sha256 = hash.value_or("");
     table.finish();
     return log;
+  }
+
+  static void torque_constant(TomlTable& table, std::map<std::string, double>& constants) {
+    const std::string joint = table.text("joint", true).value_or("");
+    const std::optional<double> value = table.number("value");
+    table.finish();
+    if (value && !(*value > 0.0))
+      table.report("value", fmt::format("{}.value is {}", table.path(), *value),
+                   "expected the effort of 1 A at the joint, above 0");
+    if (!constants.emplace(joint, value.value_or(0.0)).second)
+      table.report("joint", fmt::format("{} gives '{}' a second time", table.path(), joint),
+                   "expected it once");
   }
 
   IdentifiedEffect effect(TomlTable& table) {

@@ -94,6 +94,19 @@ TEST_CASE("an entry without a shape that its effect had not then means what it m
              Catch::Contains("has no shape 'stribeck_velocity'"));
 }
 
+TEST_CASE("torque constants are read as they were written, and one joint has one") {
+  // Planted defects, seen to fail: constants that identified_text() leaves out, and a second one
+  // that goes before the first.
+  Identified known;
+  known.torque_constants = {{"q1", 11.13}, {"a \"joint\"", 2.0 / 3.0}};
+  const std::string text = identified_text(known);
+  CHECK(read(text).torque_constants == known.torque_constants);
+  CHECK_THAT(mistakes(text + "\n[[torque_constant]]\njoint = \"q1\"\nvalue = 3\n"),
+             Catch::Contains("gives 'q1' a second time"));
+  CHECK_THAT(mistakes("[[torque_constant]]\njoint = \"q1\"\nvalue = -3\n"),
+             Catch::Contains("above 0"));
+}
+
 TEST_CASE("what no effect declares is refused with its place") {
   using Catch::Contains;
   // Planted defects, each seen to fail: no check of the limits (Stribeck at 0 was read), of units
