@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <glog/logging.h>
 #include <malloc.h>
 #include <signal.h>
 
@@ -73,7 +74,8 @@ int refuse(const std::string& what, bool json) {
 }
 
 /// Columns of a log come and go by the thousand: memory that is given back to the system after each
-/// is cleared anew by it, which takes a tenth of a diagnosis. Where it cannot be set nothing is lost.
+/// is cleared anew by it, which takes a tenth of a diagnosis. Where it cannot be set nothing is
+/// lost.
 void keep_freed_memory() {
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that glibc takes
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
@@ -86,6 +88,8 @@ int main(int argc, char** argv) {
   ::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, which is told
   sinew::remove_when_interrupted();
   keep_freed_memory();
+  // What Ceres says by itself of a fit its caller judges by the fit's summary.
+  FLAGS_minloglevel = google::GLOG_FATAL;
   int exit_status = 0;
   CLI::App app{"sinew: symbolic models of tendon-driven hands, emitted as real-time C"};
   app.require_subcommand(1);

@@ -49,12 +49,6 @@ Recording make_recording(const std::string& name, const std::vector<double>& pos
 
 }  // namespace
 
-std::optional<Recording> read_positioning_drive() {
-  const auto columns = read_columns("emps/data_emps.csv");
-  if (columns.size() < 5) return std::nullopt;
-  return make_recording("positioning drive", columns[2], columns[4], 1e-3, 100.0);
-}
-
 std::optional<Recording> read_cable_joint() {
   const auto columns = read_columns("dvrk_mtm/mtm_joint_test_cable.csv");
   if (columns.size() < 4) return std::nullopt;
