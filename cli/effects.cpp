@@ -35,6 +35,8 @@ std::string entry(const Effect& effect) {
   if (!effect.limit.empty()) text += fmt::format("- It is not considered where {}\n", effect.limit);
   if (!effect.states.empty())
     text += "- It remembers: what it does depends on the motion before, not on the instant alone\n";
+  if (effect.of_one_make)
+    text += "- It is looked for at each place, and with one coefficient at all of them\n";
   if (effect.baseline_only)
     text += "- It is fitted along with every cause, and never named as one itself\n";
   text += fmt::format("- Can firmware compensate it: {}\n", effect.compensable ? "yes" : "no");

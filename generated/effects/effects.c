@@ -80,9 +80,10 @@ void effects_coulomb_asymmetry(const double signals[SINEW_AT_LEAST(11)],
 void effects_stribeck(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
 {
-    const double t1 = signals[6] * sinew_one_exp(-(signals[1] * signals[1] / (shape[0]
+    const double t1 = sinew_max(signals[6], -signals[6]);
+    const double t2 = signals[6] * sinew_one_exp(-(signals[1] * signals[1] / (shape[0]
         * shape[0])));
-    columns[0] = t1 / (shape[1] + (1.0 - shape[1]) * sinew_max(signals[6], -signals[6]));
+    columns[0] = t2 / sinew_max(shape[1] - shape[1] * t1 + t1, 1e-06);
 }
 
 void effects_concave_friction(const double signals[SINEW_AT_LEAST(11)],
@@ -99,11 +100,12 @@ void effects_concave_friction(const double signals[SINEW_AT_LEAST(11)],
 void effects_concave_power(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(3)], double columns[SINEW_AT_LEAST(1)])
 {
-    const double t1 = sinew_one_log(sinew_max(sinew_max(signals[1], -signals[1]) / shape[0],
+    const double t1 = sinew_max(signals[6], -signals[6]);
+    const double t2 = sinew_one_log(sinew_max(sinew_max(signals[1], -signals[1]) / shape[0],
         1e-06));
-    const double t2 = signals[6] * sinew_one_exp(shape[1] * t1) / (shape[2] + (1.0 - shape[2])
-        * sinew_max(signals[6], -signals[6]));
-    columns[0] = t2;
+    const double t3 = signals[6] * sinew_one_exp(shape[1] * t2) / sinew_max(shape[2] - shape[2] * t1
+        + t1, 1e-06);
+    columns[0] = t3;
 }
 
 void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(11)],
@@ -115,25 +117,27 @@ void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(11)],
 void effects_load_friction(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
-    const double t1 = signals[6] * sinew_max(signals[4], -signals[4]) / (shape[0] + (1.0 - shape[0])
-        * sinew_max(signals[6], -signals[6]));
-    columns[0] = t1;
+    const double t1 = sinew_max(signals[6], -signals[6]);
+    const double t2 = signals[6] * sinew_max(signals[4], -signals[4]) / sinew_max(shape[0]
+        - shape[0] * t1 + t1, 1e-06);
+    columns[0] = t2;
 }
 
 void effects_friction_drift(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)])
 {
-    const double t1 = signals[6] * (1.0 - sinew_one_exp(-(signals[5] / shape[0]))) / (shape[1]
-        + (1.0 - shape[1]) * sinew_max(signals[6], -signals[6]));
-    columns[0] = t1;
+    const double t1 = sinew_max(signals[6], -signals[6]);
+    const double t2 = signals[6] * (1.0 - sinew_one_exp(-(signals[5] / shape[0])))
+        / sinew_max(shape[1] - shape[1] * t1 + t1, 1e-06);
+    columns[0] = t2;
 }
 
 void effects_position_friction(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
 {
-    const double t1 = signals[0] * signals[6] / (shape[0] + (1.0 - shape[0]) * sinew_max(signals[6],
-        -signals[6]));
-    columns[0] = t1;
+    const double t1 = sinew_max(signals[6], -signals[6]);
+    const double t2 = signals[0] * signals[6] / sinew_max(shape[0] - shape[0] * t1 + t1, 1e-06);
+    columns[0] = t2;
 }
 
 void effects_ripple(const double signals[SINEW_AT_LEAST(11)], const double shape[SINEW_AT_LEAST(1)],

@@ -81,7 +81,7 @@ void effects_coulomb_asymmetry(const double signals[SINEW_AT_LEAST(11)],
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         2 [SI] stribeck_velocity, turning_share; made for 0.01..0.3, 0.05..1
  *   out columns       1 [SI] extra_at_rest
- * 4 multiplications, 2 additions, 2 divisions, 2 other functions. */
+ * 4 multiplications, 2 additions, 2 divisions, 3 other functions. */
 void effects_stribeck(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)]);
 
@@ -101,7 +101,7 @@ void effects_concave_friction(const double signals[SINEW_AT_LEAST(11)],
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         3 [SI] top_speed, power, turning_share; made for 1..1, 0.2..0.8, 0.05..1
  *   out columns       1 [SI] at_top_speed
- * 3 multiplications, 2 additions, 2 divisions, 5 other functions. */
+ * 3 multiplications, 2 additions, 2 divisions, 6 other functions. */
 void effects_concave_power(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(3)], double columns[SINEW_AT_LEAST(1)]);
 
@@ -120,7 +120,7 @@ void effects_quadratic_friction(const double signals[SINEW_AT_LEAST(11)],
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         1 [SI] turning_share; made for 0.05..1
  *   out columns       1 [SI] share
- * 2 multiplications, 2 additions, 1 divisions, 2 other functions. */
+ * 2 multiplications, 2 additions, 1 divisions, 3 other functions. */
 void effects_load_friction(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
 
@@ -130,7 +130,7 @@ void effects_load_friction(const double signals[SINEW_AT_LEAST(11)],
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         2 [SI] time_constant, turning_share; made for 0.05..2, 0.05..1
  *   out columns       1 [SI] change
- * 2 multiplications, 3 additions, 2 divisions, 2 other functions. */
+ * 2 multiplications, 3 additions, 2 divisions, 3 other functions. */
 void effects_friction_drift(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(2)], double columns[SINEW_AT_LEAST(1)]);
 
@@ -140,7 +140,7 @@ void effects_friction_drift(const double signals[SINEW_AT_LEAST(11)],
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         1 [SI] turning_share; made for 0.05..1
  *   out columns       1 [SI] slope
- * 2 multiplications, 2 additions, 1 divisions, 1 other functions. */
+ * 2 multiplications, 2 additions, 1 divisions, 2 other functions. */
 void effects_position_friction(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
 
@@ -290,7 +290,7 @@ void effects_link_backlash(const double signals[SINEW_AT_LEAST(11)],
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
- *   in  shape         1 [SI] bending_elsewhere; made for 0.03..30
+ *   in  shape         1 [SI] bending_elsewhere; made for 0.003..30
  *   out columns       1 [SI] friction_coefficient
  * 2 multiplications, 1 additions. */
 void effects_guiding_friction(const double signals[SINEW_AT_LEAST(11)],
@@ -300,7 +300,7 @@ void effects_guiding_friction(const double signals[SINEW_AT_LEAST(11)],
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
- *   in  shape         1 [SI] bending_elsewhere; made for 0.03..30
+ *   in  shape         1 [SI] bending_elsewhere; made for 0.003..30
  *   out columns       1 [SI] friction_coefficient
  * 2 multiplications, 1 additions. */
 void effects_motor_side_guiding(const double signals[SINEW_AT_LEAST(11)],
@@ -310,7 +310,7 @@ void effects_motor_side_guiding(const double signals[SINEW_AT_LEAST(11)],
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
- *   in  shape         2 [SI] bending_elsewhere, presliding_length; made for 0.03..30, 3e-06..0.001
+ *   in  shape         2 [SI] bending_elsewhere, presliding_length; made for 0.003..30, 3e-06..0.001
  *   in  memory        1 [1] before this sample; made for -1..1
  *   out columns       1 [SI] friction_coefficient
  *   out next          1 [1] states for the next sample

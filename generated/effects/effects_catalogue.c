@@ -527,7 +527,7 @@ static const double guiding_friction_signals_low[] = {-3.0, -5.0, -50.0, -10000.
     1e-04, -50.0, 0.001, -10000.0};
 static const double guiding_friction_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
     0.01, 50.0, 10.0, 10000.0};
-static const double guiding_friction_shape_low[] = {0.03};
+static const double guiding_friction_shape_low[] = {0.003};
 static const double guiding_friction_shape_high[] = {30.0};
 static const sinew_argument guiding_friction_inputs[] = {
     {"signals", "SI", 11, 1, guiding_friction_signals_low, guiding_friction_signals_high},
@@ -547,7 +547,7 @@ static const double motor_side_guiding_signals_low[] = {-3.0, -5.0, -50.0, -1000
     -1.0, 1e-04, -50.0, 0.001, -10000.0};
 static const double motor_side_guiding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
     0.01, 50.0, 10.0, 10000.0};
-static const double motor_side_guiding_shape_low[] = {0.03};
+static const double motor_side_guiding_shape_low[] = {0.003};
 static const double motor_side_guiding_shape_high[] = {30.0};
 static const sinew_argument motor_side_guiding_inputs[] = {
     {"signals", "SI", 11, 1, motor_side_guiding_signals_low, motor_side_guiding_signals_high},
@@ -567,7 +567,7 @@ static const double guiding_presliding_signals_low[] = {-3.0, -5.0, -50.0, -1000
     -1.0, 1e-04, -50.0, 0.001, -10000.0};
 static const double guiding_presliding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0,
     0.01, 50.0, 10.0, 10000.0};
-static const double guiding_presliding_shape_low[] = {0.03, 3e-06};
+static const double guiding_presliding_shape_low[] = {0.003, 3e-06};
 static const double guiding_presliding_shape_high[] = {30.0, 0.001};
 static const double guiding_presliding_memory_low[] = {-1.0};
 static const double guiding_presliding_memory_high[] = {1.0};

@@ -198,6 +198,17 @@ void put_before_gains(std::vector<ExtensionTerm>& terms) {
   }
 }
 
+/// Of what is everywhere: each of the joints, or of the tendons.
+std::vector<std::string> places_of(const DrivenSubject& subject, const CandidateOrigin& origin) {
+  std::vector<std::string> places;
+  if (origin.tendon.empty())
+    for (const DrivenJoint& joint : subject.model().joints) places.push_back(joint.name);
+  else
+    for (const std::string& name : subject.model().tendons.names)
+      places.push_back(tendon_place(name));
+  return places;
+}
+
 }  // namespace
 
 ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& design,
@@ -235,11 +246,14 @@ ExtensionTerms extension_terms(const DrivenSubject& subject, const Design& desig
                     std::any_of(term.candidate->linear.begin(), term.candidate->linear.end(),
                                 [](const LinearParameter& p) { return p.per_log; });
     // The model has a delay at each joint; one of all joints is the same at each.
-    if (origin.everywhere)
-      for (std::size_t j = 1; j < subject.model().joints.size(); ++j) {
+    if (origin.everywhere) {
+      const std::vector<std::string> places = places_of(subject, origin);
+      entry.entry.place = places.front();
+      for (auto other = places.begin() + 1; other != places.end(); ++other) {
         result.push_back(entry);
-        result.back().entry.place = subject.model().joints[j].name;
+        result.back().entry.place = *other;
       }
+    }
     for (const DrawingError& error : physical.drawings)
       if (error.term == t) result.push_back(drawing_entry(error, entry.cause));
     result.push_back(std::move(entry));

@@ -37,7 +37,7 @@ void DrivenSubject::add_mechanism_candidates() {
     }
   if (tendons_)
     for (TendonColumns::AtTendon& each : tendons_->candidates(problem_.training))
-      take(std::move(each.candidate), {each.effect, 0, {}, each.place});
+      take(std::move(each.candidate), {each.effect, 0, {}, each.place, each.everywhere});
 }
 
 /// A gain, a leaning base and a payload all make another weight of a lone joint: which of them it

@@ -34,7 +34,7 @@ struct CandidateOrigin {
   std::size_t joint = 0;
   Eigen::VectorXd fixed;    ///< shape parameters that are not searched
   std::string tendon;       ///< its place instead of a joint; empty: none
-  bool everywhere = false;  ///< at every joint alike
+  bool everywhere = false;  ///< at every joint alike, or at every tendon
 };
 
 /// Columns of a log: positions of all coordinates; efforts of those where they are measured, which

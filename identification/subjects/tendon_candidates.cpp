@@ -235,16 +235,45 @@ Candidate TendonColumns::candidate(const Effect& effect, Index tendon) const {
   return c;
 }
 
+/// With one coefficient and one shape for all tendons.
+Candidate TendonColumns::common_candidate(const Effect& effect) const {
+  std::vector<Candidate> each;
+  for (std::size_t t = 0; t < names_.size(); ++t)
+    each.push_back(candidate(effect, static_cast<Index>(t)));
+  Candidate all = each.front();
+  all.place = "all tendons";
+  all.columns = [each](const Recording& log, int channel, const VectorXd& shape) {
+    MatrixXd sum;
+    for (const Candidate& one : each) {
+      const MatrixXd own = one.columns(log, channel, shape);
+      if (own.cols() == 0) continue;
+      if (sum.cols() == 0)
+        sum = own;
+      else
+        sum += own;
+    }
+    return sum.cols() > 0 ? sum : MatrixXd(log.q.rows(), 0);
+  };
+  return all;
+}
+
 std::vector<TendonColumns::AtTendon> TendonColumns::candidates(
     const std::vector<Recording>& logs) const {
+  std::vector<const Effect*> known;
+  for (const Effect& effect : effects())
+    if (effect.at_tendon && !(effect.motor_side && !motor_radius_)) known.push_back(&effect);
   std::vector<AtTendon> list;
   for (std::size_t t = 0; t < names_.size(); ++t)
-    for (const Effect& effect : effects()) {
-      if (!effect.at_tendon || (effect.motor_side && !motor_radius_)) continue;
+    for (const Effect* effect : known) {
       const auto tendon = static_cast<Index>(t);
-      list.push_back({candidate(effect, tendon), effect.id, tendon_place(names_[t])});
-      if (effect.scales_force) expect_drawn(logs, tendon, list.back().candidate);
+      list.push_back({candidate(*effect, tendon), effect->id, tendon_place(names_[t])});
+      if (effect->scales_force) expect_drawn(logs, tendon, list.back().candidate);
     }
+  for (const Effect* effect : known) {
+    if (!effect->of_one_make || names_.size() < 2) continue;
+    const Candidate all = common_candidate(*effect);
+    list.push_back({all, effect->id, all.place, true});
+  }
   return list;
 }
 

@@ -38,10 +38,12 @@ class TendonColumns {
   /// samples x coordinates: -P^T f, the joint torques of the measured forces (5.11).
   Eigen::MatrixXd joint_torque(const Recording& log) const;
 
-  /// Effects of the catalogue that have their place at a tendon, each at each tendon.
+  /// Effects of the catalogue that have their place at a tendon, each at each tendon, and those of
+  /// one make at all tendons with one coefficient.
   struct AtTendon {
     Candidate candidate;
     std::string effect, place;
+    bool everywhere = false;
   };
   /// logs: as add_signals() left them; they say how large moment arms are.
   std::vector<AtTendon> candidates(const std::vector<Recording>& logs) const;
@@ -54,6 +56,7 @@ class TendonColumns {
   };
   Joined joined_to(const Function& motion, Eigen::Index tendon) const;
   Candidate candidate(const Effect& effect, Eigen::Index tendon) const;
+  Candidate common_candidate(const Effect& effect) const;
   Eigen::VectorXd lacking_tension(const Recording& log, Eigen::Index tendon, double larger) const;
   /// Of one tendon, whose moment arms are larger than the model's by that share.
   Eigen::VectorXd agreeing_tension(const Recording& log, Eigen::Index tendon, double larger) const;

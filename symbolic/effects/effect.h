@@ -104,8 +104,9 @@ struct Effect {
   std::vector<ShapeParameter> shapes;
   std::vector<EffectColumn> columns;
   std::vector<EffectState> states;
-  bool at_tendon = false;   ///< its places are tendons, else joints
-  bool motor_side = false;  ///< at a tendon: it moves there as its motor does
+  bool at_tendon = false;    ///< its places are tendons, else joints
+  bool of_one_make = false;  ///< likely to be the same at all its places
+  bool motor_side = false;   ///< at a tendon: it moves there as its motor does
   /// At a tendon: its force is not as measured, so that its motor carries something else, too.
   bool felt_by_motor = false;
   /// At a tendon: its term is the force times a change of the moment arm [m], at every joint that

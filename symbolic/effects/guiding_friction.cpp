@@ -9,7 +9,7 @@ namespace sinew {
 Effect guiding_friction() {
   Effect e("guiding_friction", "guiding friction");
   const EffectSignals& s = effect_signals();
-  const GiNaC::ex elsewhere = e.shape("bending_elsewhere", "rad", Scale::none, 0.03, 30.0, 2);
+  const GiNaC::ex elsewhere = e.shape("bending_elsewhere", "rad", Scale::none, 0.003, 30.0, 2);
   e.column("friction_coefficient", "1", Sign::positive,
            s.load * s.direction * (s.position + elsewhere))
       .most = 1.0;
@@ -18,6 +18,8 @@ Effect guiding_friction() {
   e.experiment = "slow motion back and forth at several postures, the antagonist's force varied";
   e.limit = "friction would drive the tendon";
   e.at_tendon = true;
+  // Tendons and guides of a hand are of the same materials.
+  e.of_one_make = true;
   return e;
 }
 

@@ -86,11 +86,12 @@ void effects_stribeck_batch(int count, const double *SINEW_RESTRICT signals,
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[1 * n + state] * signals[1 * n + state] / (shape[state]
+        const double t1 = sinew_max(signals[6 * n + state], -signals[6 * n + state]);
+        const double t2 = signals[1 * n + state] * signals[1 * n + state] / (shape[state]
             * shape[state]);
-        const double t2 = (1.0 - shape[1 * n + state]) * sinew_max(signals[6 * n + state],
-            -signals[6 * n + state]);
-        columns[state] = signals[6 * n + state] * sinew_exp(-t1) / (shape[1 * n + state] + t2);
+        const double t3 = signals[6 * n + state] * sinew_exp(-t2) / sinew_max(shape[1 * n + state]
+            - shape[1 * n + state] * t1 + t1, 1e-06);
+        columns[state] = t3;
     }
 }
 
@@ -115,12 +116,13 @@ void effects_concave_power_batch(int count, const double *SINEW_RESTRICT signals
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = sinew_max(signals[1 * n + state], -signals[1 * n + state]) / shape[state];
-        const double t2 = signals[6 * n + state] * sinew_exp(shape[1 * n + state]
-            * sinew_log(sinew_max(t1, 1e-06)));
-        const double t3 = (1.0 - shape[2 * n + state]) * sinew_max(signals[6 * n + state],
-            -signals[6 * n + state]);
-        columns[state] = t2 / (shape[2 * n + state] + t3);
+        const double t1 = sinew_max(signals[6 * n + state], -signals[6 * n + state]);
+        const double t2 = sinew_max(signals[1 * n + state], -signals[1 * n + state]) / shape[state];
+        const double t3 = signals[6 * n + state] * sinew_exp(shape[1 * n + state]
+            * sinew_log(sinew_max(t2, 1e-06)));
+        const double t4 = t3 / sinew_max(shape[2 * n + state] - shape[2 * n + state] * t1 + t1,
+            1e-06);
+        columns[state] = t4;
     }
 }
 
@@ -142,11 +144,10 @@ void effects_load_friction_batch(int count, const double *SINEW_RESTRICT signals
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = (1.0 - shape[state]) * sinew_max(signals[6 * n + state], -signals[6 * n
-            + state]);
+        const double t1 = sinew_max(signals[6 * n + state], -signals[6 * n + state]);
         const double t2 = signals[6 * n + state] * sinew_max(signals[4 * n + state], -signals[4 * n
             + state]);
-        columns[state] = t2 / (shape[state] + t1);
+        columns[state] = t2 / sinew_max(shape[state] - shape[state] * t1 + t1, 1e-06);
     }
 }
 
@@ -156,11 +157,12 @@ void effects_friction_drift_batch(int count, const double *SINEW_RESTRICT signal
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = (1.0 - shape[1 * n + state]) * sinew_max(signals[6 * n + state],
-            -signals[6 * n + state]);
+        const double t1 = sinew_max(signals[6 * n + state], -signals[6 * n + state]);
         const double t2 = signals[6 * n + state] * (1.0 - sinew_exp(-(signals[5 * n + state]
             / shape[state])));
-        columns[state] = t2 / (shape[1 * n + state] + t1);
+        const double t3 = t2 / sinew_max(shape[1 * n + state] - shape[1 * n + state] * t1 + t1,
+            1e-06);
+        columns[state] = t3;
     }
 }
 
@@ -170,9 +172,10 @@ void effects_position_friction_batch(int count, const double *SINEW_RESTRICT sig
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = (1.0 - shape[state]) * sinew_max(signals[6 * n + state], -signals[6 * n
-            + state]);
-        columns[state] = signals[state] * signals[6 * n + state] / (shape[state] + t1);
+        const double t1 = sinew_max(signals[6 * n + state], -signals[6 * n + state]);
+        const double t2 = signals[state] * signals[6 * n + state] / sinew_max(shape[state]
+            - shape[state] * t1 + t1, 1e-06);
+        columns[state] = t2;
     }
 }
 
