@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
   ::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, which is told
   sinew::remove_when_interrupted();
   keep_freed_memory();
-  // What Ceres says by itself of a fit its caller judges by the fit's summary.
+  // Ceres logs to standard error what its callers judge by the fit's summary.
   FLAGS_minloglevel = google::GLOG_FATAL;
   int exit_status = 0;
   CLI::App app{"sinew: symbolic models of tendon-driven hands, emitted as real-time C"};

@@ -11,8 +11,9 @@ GiNaC::ex turning_direction(Effect& effect) {
   ShapeParameter& p = effect.shapes.back();
   p.limits = {0.0, 1.0, true};
   p.before = 1.0;
-  // Near standstill steeper by 1/share, and 1 where the direction is. Below the maximum's second
-  // value it never is; without one GiNaC takes a sign out of the sum, now one and now the other.
+  // Near standstill steeper by 1/share, and 1 where the direction is. The maximum changes nothing
+  // at a share that is looked for: out of the bare sum GiNaC takes a sign in one run and not in the
+  // next, and the manual's equation was another one each time.
   const GiNaC::ex size = magnitude(direction);
   return direction / maximum(share + size - share * size, GiNaC::numeric(1, 1000000));
 }
