@@ -173,6 +173,8 @@ std::unique_ptr<TrialPlant> draw_plant(const TrialRequest& request, Draw draw,
   const std::string kind = mujoco ? plant.substr(7) : plant;
   if (kind == "drive") return draw_drive(draw, mechanics, pairing);
   if (kind == "arm") return draw_arm(draw, mechanics);
+  if (kind == "bare_arm") return draw_bare_arm(draw, mechanics, false);
+  if (kind == "bare_slide") return draw_bare_arm(draw, mechanics, true);
   if (kind == "finger") return draw_finger(draw, mechanics);
   if (plant == "joint") return draw_joint(draw, 1.0, pairing);
   // The same joints with twenty times the inertia and all that goes with it.
@@ -182,7 +184,8 @@ std::unique_ptr<TrialPlant> draw_plant(const TrialRequest& request, Draw draw,
   if (plant == "wrist") return draw_wrist(draw);
   throw std::invalid_argument("no plant is called '" + plant +
                               "'; expected drive, joint, arm, finger, hand, lever, wrist, "
-                              "mujoco_drive, mujoco_arm, mujoco_finger");
+                              "bare_arm, bare_slide, or mujoco_ before drive, arm, finger, "
+                              "bare_arm, bare_slide");
 }
 
 namespace {
@@ -308,6 +311,9 @@ Drawn drawn_trial(const TrialRequest& request) {
   seal = {{"plant", request.plant},          {"family", request.family}, {"size", request.size},
           {"traits", drawn.plant->traits()}, {"hidden", json::array()},  {"reachable", true}};
   if (pairing) seal["traits"]["motion"] = pairing->name;
+  for (const DriveTruth& d : drawn.plant->drives())
+    seal["drives"].push_back(
+        {{"joint", d.joint}, {"armature", d.armature}, {"level", d.level}, {"viscous", d.viscous}});
   const Sizer sizer(*drawn.plant);
   while (drawn.hidden.size() < count && !from.empty()) {
     const Offer& offer = pick(from, draw);

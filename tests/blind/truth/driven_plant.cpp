@@ -158,6 +158,17 @@ class DrivenPlant : public TrialPlant {
             {"joints", std::to_string(axes())}};
   }
 
+  std::vector<DriveTruth> drives() const override {
+    std::vector<DriveTruth> all;
+    if (!setup_.drawing) return all;
+    for (std::size_t j = 0; j < axes(); ++j) {
+      const Link& link = setup_.jointed.chain.links[j];
+      const AxisModel& m = setup_.jointed.axes[j];
+      all.push_back({link.joint, link.armature, m.level, m.viscous});
+    }
+    return all;
+  }
+
  private:
   std::size_t axes() const { return setup_.jointed.axes.size(); }
   Index effort_column(std::size_t j) const { return static_cast<Index>(axes() + j); }
@@ -237,7 +248,7 @@ class DrivenPlant : public TrialPlant {
 
 void DrivenPlant::write_model(const std::filesystem::path& folder) const {
   if (setup_.kind != DrivenKind::motor)
-    return write_mechanism(setup_.jointed.chain, folder / "model");
+    return write_mechanism(setup_.drawing.value_or(setup_.jointed.chain), folder / "model");
   const AxisModel& m = setup_.jointed.axes.front();
   const double gear = m.motor_turn / (2.0 * pi);
   const double inertia = setup_.jointed.chain.links.front().inertia(2, 2);

@@ -32,6 +32,12 @@ struct Log {
   Index column(const std::string& name) const;
 };
 
+/// What a joint's drive is, that a model without drives lacks: SI, seen at the joint.
+struct DriveTruth {
+  std::string joint;
+  double armature = 0.0, level = 0.0, viscous = 0.0;
+};
+
 class TrialPlant {
  public:
   virtual ~TrialPlant() = default;
@@ -60,6 +66,8 @@ class TrialPlant {
   virtual std::vector<double> bands(const Log& perfect, const Log& measured) const = 0;
   /// For the table: resolved pre-sliding, MuJoCo, ...
   virtual std::map<std::string, std::string> traits() const { return {}; }
+  /// Empty where the model knows its drives.
+  virtual std::vector<DriveTruth> drives() const { return {}; }
 };
 
 enum class Mechanics { own, mujoco };
@@ -70,6 +78,8 @@ std::unique_ptr<TrialPlant> draw_drive(truth::Draw draw, Mechanics mechanics,
 std::unique_ptr<TrialPlant> draw_joint(truth::Draw draw, double heavier = 1.0,
                                        const Pairing* pairing = nullptr);
 std::unique_ptr<TrialPlant> draw_arm(truth::Draw draw, Mechanics mechanics);
+/// An arm whose model is its URDF alone, at 1 kHz: seven joints, or three of which one slides.
+std::unique_ptr<TrialPlant> draw_bare_arm(truth::Draw draw, Mechanics mechanics, bool slides);
 std::unique_ptr<TrialPlant> draw_finger(truth::Draw draw, Mechanics mechanics);
 std::unique_ptr<TrialPlant> draw_hand(truth::Draw draw);
 std::unique_ptr<TrialPlant> draw_lever(truth::Draw draw);
