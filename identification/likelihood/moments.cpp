@@ -120,16 +120,23 @@ Regions regions_of(const ColumnSums& sums, const std::vector<Index>& at, const M
 /// Scaled products of the columns `at` with the model's free part taken out.
 RegionProducts products_of(const ColumnSums& sums, const std::vector<Index>& at, Regions regions,
                            const MatrixXd& cross, const MatrixXd& solved, const VectorXd& scale) {
-  RegionProducts gram{std::move(regions)};
-  for (std::size_t c = 0; c < at.size(); ++c)
-    for (std::size_t r = c; r < at.size(); ++r) {
-      const auto row = static_cast<Index>(r), column = static_cast<Index>(c);
-      if (!gram.regions().meet(row, column)) continue;
-      double product = scale(row) * scale(column) * sums.gram(at[r], at[c]);
-      if (sums.free > 0) product -= solved.row(row).dot(cross.row(column));
-      gram.set(row, column, product);
-    }
-  return gram;
+  const auto of_sums = [&](const std::vector<Index>& columns) {
+    std::vector<Index> list;
+    list.reserve(columns.size());
+    for (const Index c : columns) list.push_back(at[static_cast<std::size_t>(c)]);
+    return list;
+  };
+  return RegionProducts(
+      std::move(regions),
+      [&](const std::vector<Index>& rows, const std::vector<Index>& columns) -> MatrixXd {
+        MatrixXd product = sums.gram(of_sums(rows), of_sums(columns));
+        product = VectorXd(scale(rows)).asDiagonal() * product;
+        product *= VectorXd(scale(columns)).asDiagonal();
+        if (sums.free > 0)
+          product.noalias() -=
+              MatrixXd(solved(rows, Eigen::all)) * MatrixXd(cross(columns, Eigen::all)).transpose();
+        return product;
+      });
 }
 
 /// -1/2 log det of a Gram matrix, of which columns that hardly differ are told apart by a share.

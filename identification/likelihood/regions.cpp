@@ -94,30 +94,65 @@ RegionProducts::RegionProducts(Regions regions) : regions_(std::move(regions)) {
   blocks_.push_back(MatrixXd::Zero(regions_.own(Regions::kEverywhere), regions_.size()));
 }
 
+RegionProducts::RegionProducts(Regions regions, const Products& of) : regions_(std::move(regions)) {
+  const auto halved = [](MatrixXd product) -> MatrixXd {
+    return product.selfadjointView<Eigen::Lower>();
+  };
+  const std::vector<Index>& all = regions_.columns(Regions::kEverywhere);
+  std::vector<Index> everywhere;
+  for (const Index c : all)
+    if (regions_.of(c) == Regions::kEverywhere) everywhere.push_back(c);
+  for (int r = 0; r < regions_.count(); ++r) {
+    std::vector<Index> own = regions_.columns(r);
+    own.resize(static_cast<std::size_t>(regions_.own(r)));
+    blocks_.push_back(halved(of(own, own)));
+  }
+  blocks_.push_back(of(everywhere, all));
+  const MatrixXd among = halved(blocks_.back()(Eigen::all, everywhere));
+  blocks_.back()(Eigen::all, everywhere) = among;
+}
+
 RegionProducts::RegionProducts(const MatrixXd& lower)
     : regions_(lower.cols()),
       blocks_{lower.selfadjointView<Eigen::Lower>(), MatrixXd(0, lower.cols())} {}
 
-std::optional<RegionProducts::Place> RegionProducts::find(Index row, Index column) const {
-  const int r = regions_.of(row), c = regions_.of(column);
-  if (r == Regions::kNowhere || c == Regions::kNowhere) return std::nullopt;
-  if (r == Regions::kEverywhere) return Place{blocks_.size() - 1, regions_.place(row), column};
-  if (c == Regions::kEverywhere) return Place{blocks_.size() - 1, regions_.place(column), row};
-  if (r != c) return std::nullopt;
-  return Place{static_cast<std::size_t>(r), regions_.place(row), regions_.place(column)};
+std::vector<RegionProducts::Located> RegionProducts::located(
+    const std::vector<Index>& columns) const {
+  std::vector<Located> list;
+  list.reserve(columns.size());
+  for (const Index c : columns) list.push_back({regions_.of(c), regions_.place(c), c});
+  return list;
+}
+
+/// Where the product of two columns is kept; nothing: nowhere, it is zero.
+const double* RegionProducts::find(const Located& row, const Located& column) const {
+  if (!Regions::meet(row.region, column.region)) return nullptr;
+  if (row.region == Regions::kEverywhere) return &blocks_.back()(row.place, column.column);
+  if (column.region == Regions::kEverywhere) return &blocks_.back()(column.place, row.column);
+  return &blocks_[static_cast<std::size_t>(row.region)](row.place, column.place);
+}
+
+double* RegionProducts::find(const Located& row, const Located& column) {
+  return const_cast<double*>(std::as_const(*this).find(row, column));
 }
 
 double RegionProducts::operator()(Index row, Index column) const {
-  const auto place = find(row, column);
-  return place ? blocks_[place->block](place->row, place->column) : 0.0;
+  const auto at = located({row, column});
+  const double* product = find(at[0], at[1]);
+  return product ? *product : 0.0;
 }
 
 MatrixXd RegionProducts::operator()(const std::vector<Index>& rows,
                                     const std::vector<Index>& columns) const {
+  const std::vector<Located> down = located(rows), across = located(columns);
   MatrixXd part(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
-  for (Index c = 0; c < part.cols(); ++c)
-    for (Index r = 0; r < part.rows(); ++r)
-      part(r, c) = (*this)(rows[static_cast<std::size_t>(r)], columns[static_cast<std::size_t>(c)]);
+  for (std::size_t c = 0; c < across.size(); ++c) {
+    double* to = part.col(static_cast<Index>(c)).data();
+    for (const Located& row : down) {
+      const double* product = find(row, across[c]);
+      *to++ = product ? *product : 0.0;
+    }
+  }
   return part;
 }
 
@@ -127,17 +162,20 @@ MatrixXd RegionProducts::dense() const {
 }
 
 void RegionProducts::set(Index row, Index column, double value) {
-  if (const auto place = find(row, column))
-    blocks_[place->block](place->row, place->column) = value;
-  if (const auto other = find(column, row))
-    blocks_[other->block](other->row, other->column) = value;
+  const auto at = located({row, column});
+  if (double* product = find(at[0], at[1])) *product = value;
+  if (double* product = find(at[1], at[0])) *product = value;
 }
 
 void RegionProducts::add(const std::vector<Index>& at, const MatrixXd& lower) {
-  for (std::size_t c = 0; c < at.size(); ++c)
-    for (std::size_t r = c; r < at.size(); ++r)
-      set(at[r], at[c],
-          (*this)(at[r], at[c]) + lower(static_cast<Index>(r), static_cast<Index>(c)));
+  const std::vector<Located> all = located(at);
+  for (std::size_t c = 0; c < all.size(); ++c)
+    for (std::size_t r = c; r < all.size(); ++r) {
+      double* product = find(all[r], all[c]);
+      if (!product) continue;
+      *product += lower(static_cast<Index>(r), static_cast<Index>(c));
+      *find(all[c], all[r]) = *product;
+    }
 }
 
 RegionProducts& RegionProducts::operator+=(const RegionProducts& other) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
+#include <functional>
 #include <vector>
 
 namespace sinew::diagnosis {
@@ -36,9 +36,11 @@ class Regions {
   }
 
   /// Whether two columns can meet.
-  bool meet(Eigen::Index column, Eigen::Index other) const {
-    const int a = of(column), b = of(other);
-    return a != kNowhere && b != kNowhere && (a == b || a == kEverywhere || b == kEverywhere);
+  bool meet(Eigen::Index column, Eigen::Index other) const { return meet(of(column), of(other)); }
+  /// Whether columns of these regions can.
+  static bool meet(int region, int other) {
+    return region != kNowhere && other != kNowhere &&
+           (region == other || region == kEverywhere || other == kEverywhere);
   }
   /// Whether a region's columns have this one.
   bool has(int region, Eigen::Index column) const {
@@ -66,6 +68,11 @@ class RegionProducts {
   RegionProducts() = default;
   /// Zeros.
   explicit RegionProducts(Regions regions);
+  /// rows x columns: products of some columns with some others.
+  using Products = std::function<Eigen::MatrixXd(const std::vector<Eigen::Index>& rows,
+                                                 const std::vector<Eigen::Index>& columns)>;
+  /// Asked for a region's at a time.
+  RegionProducts(Regions regions, const Products& of);
   /// Of all columns, of which the lower half is read. They are one region.
   explicit RegionProducts(const Eigen::MatrixXd& lower);
 
@@ -83,12 +90,14 @@ class RegionProducts {
   RegionProducts& operator+=(const RegionProducts& other);
 
  private:
-  /// Where a product is kept: its block, and its place there.
-  struct Place {
-    std::size_t block;
-    Eigen::Index row, column;
+  /// A column: its region, its place there, and which one of all it is.
+  struct Located {
+    int region;
+    Eigen::Index place, column;
   };
-  std::optional<Place> find(Eigen::Index row, Eigen::Index column) const;
+  std::vector<Located> located(const std::vector<Eigen::Index>& columns) const;
+  const double* find(const Located& row, const Located& column) const;
+  double* find(const Located& row, const Located& column);
 
   Regions regions_;
   /// Of every region its own columns' products, both halves; the last one of the columns that act
