@@ -126,7 +126,7 @@ std::vector<RegionProducts::Located> RegionProducts::located(
 
 /// Where the product of two columns is kept; nothing: nowhere, it is zero.
 const double* RegionProducts::find(const Located& row, const Located& column) const {
-  if (!Regions::meet(row.region, column.region)) return nullptr;
+  if (!Regions::can_meet(row.region, column.region)) return nullptr;
   if (row.region == Regions::kEverywhere) return &blocks_.back()(row.place, column.column);
   if (column.region == Regions::kEverywhere) return &blocks_.back()(column.place, row.column);
   return &blocks_[static_cast<std::size_t>(row.region)](row.place, column.place);

@@ -36,9 +36,11 @@ class Regions {
   }
 
   /// Whether two columns can meet.
-  bool meet(Eigen::Index column, Eigen::Index other) const { return meet(of(column), of(other)); }
+  bool meet(Eigen::Index column, Eigen::Index other) const {
+    return can_meet(of(column), of(other));
+  }
   /// Whether columns of these regions can.
-  static bool meet(int region, int other) {
+  static bool can_meet(int region, int other) {
     return region != kNowhere && other != kNowhere &&
            (region == other || region == kEverywhere || other == kEverywhere);
   }

@@ -5,7 +5,8 @@ import html
 from results import by, calibration, cause_of, counted, of, rate, said, status
 
 PLANTS = {"drive": "drives", "mujoco_drive": "drives (MuJoCo)", "joint": "lone joints", "arm": "arms, 2–7 joints",
-          "mujoco_arm": "arms (MuJoCo)", "finger": "fingers on tendons",
+          "mujoco_arm": "arms (MuJoCo)", "mujoco_bare_arm": "seven joints, a URDF alone (MuJoCo)",
+          "mujoco_bare_slide": "three joints, one slides, a URDF alone (MuJoCo)", "finger": "fingers on tendons",
           "mujoco_finger": "fingers (MuJoCo)", "hand": "hands, palm held", "lever": "levers", "wrist": "wrists"}
 TEN = 10  # trials of a cause at least
 # right at 1.0 and at 0.5 of the noise
@@ -134,6 +135,29 @@ def families(lines):
                          rate(n, said("fault_found")) if family == "fault" else "", *ended(some)])
     return table(["hidden", "plant", "trials", "right", "with a false name", "“none of the known causes”",
                   "fault found", "unreachable", "refused", "crashed"], rows)
+
+
+def drives(lines):
+    """Arms whose model is their URDF alone: everything of their drives is to be learnt."""
+    rows = []
+    for plant, name in PLANTS.items():
+        some = of(lines, plant=plant, family="drives")
+        n = [x for x in some if x.get("drives")]
+        if not some:
+            continue
+        judged = [x.get("physical") or {} for x in n if x["adopted"]]
+        errors = [e for x in n for e in x["drives"]["errors"].values()]
+        rotors = [r for x in n for r in x["drives"]["rotors"].values()]
+        left = sorted(100 * after for _, after in errors)
+        rows.append([name, len(some), rate(some, lambda x: x["status"] == "ran"), rate(n, said("adopted")),
+                     rate(judged, lambda p: p.get("bodies") is True and p.get("mass_matrix") is True),
+                     rate(errors, lambda e: e[1] <= e[0]),
+                     f"{left[len(left) // 2]:.2g} %, at most {left[-1]:.2g} %" if left else "",
+                     rate(rotors, lambda r: r is not None and abs(r - 1) <= 0.05),
+                     f"{sum(x['took'] for x in n) / len(n):.0f} s" if n else "", *ended(some)])
+    return table(["plant", "trials", "a report", "adopted", "bodies and mass matrix possible", "joints no worse",
+                  "left of a joint's standard deviation", "rotors within 5 %", "took", "unreachable", "refused",
+                  "crashed"], rows)
 
 
 def causes(lines):
@@ -269,6 +293,16 @@ def written(everything, facts, limits):
         "## Adopted models\n", physical(lines), "## Physical limits\n",
         "A dose beyond these is not drawn; a size that needs one makes the trial unreachable.\n", limits]
     return "\n".join(parts)
+
+
+def of_bare_arms(lines, facts):
+    """The page of trials of the family drives."""
+    return "\n".join([
+        "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->", "# Arms whose model is their URDF alone\n",
+        "What is hidden and what counts stand in [blind_trials.md](blind_trials.md). This page is written by the study; "
+        "nothing on it is edited.\n",
+        f"Engine: SHA-256 of its sources `{facts['engine']}`; program `{facts['program']}`; {facts['date']}; "
+        f"{len(lines)} trials of {facts['wanted']}, written by\n", f"    {facts['command']}\n", drives(lines)])
 
 
 COLOURS = ["#1b6ca8", "#c0392b", "#2e8b57", "#8e44ad", "#d68910", "#34495e", "#16a085"]

@@ -109,6 +109,9 @@ def main():
              "date": datetime.date.today().isoformat(), "wanted": len(everything),
              "command": " ".join(["scripts/study", *sys.argv[1:]])}
     out = pathlib.Path(chosen.out)
+    if lines and all(line["family"] == "drives" for line in lines):
+        out.write_text(page.of_bare_arms(lines, facts), encoding="utf-8")
+        return
     own = "blind_causes" if out.stem == "blind_rates" else out.stem + "_causes"
     facts |= {"rates": out.with_suffix(".svg").name, "causes": own + ".svg"}
     out.write_text(page.written(lines, facts, limits), encoding="utf-8")

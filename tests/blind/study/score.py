@@ -5,7 +5,7 @@ import re
 
 from names import hidden_key, key
 
-WANTED = {"null": 0, "fault": 0, "one": 1, "outside": 1, "pair": 1, "two": 2}
+WANTED = {"null": 0, "fault": 0, "drives": 0, "one": 1, "outside": 1, "pair": 1, "two": 2}
 FIRST_ROW = 2  # of a log's values
 APART = 0.3  # of the noise: what more than this is left of a cause, a log tells
 
@@ -31,6 +31,8 @@ def check_seal(seal, family, size):
             raise BrokenTrial(f"{h['cause']} has the size {h['excess']:.2f}, asked for {size}")
     if family == "fault" and "fault" not in seal:
         raise BrokenTrial("no fault was planted")
+    if (family == "drives") != bool(seal.get("drives")):
+        raise BrokenTrial("a model without drives does not say which it lacks, or another one does")
     if family == "pair":
         check_pair(seal, hidden[0])
 
@@ -79,6 +81,19 @@ def score(seal, findings):
         "alarms": len(faults_told(findings)),
         "seconds": findings["seconds"],
     }
+
+
+def drives_told(seal, findings):
+    """Of an arm whose model knows no drives. rotors: of every joint what was told of it over what it is, None
+    where nothing was; errors: of every channel the held-out error over the standard deviation, before and after."""
+    told = {}
+    for cause in findings["verdict"]["causes"]:
+        if key(cause["members"][0]["name"], "")[0] == "inertia" and cause["parameters"]:
+            told[cause["members"][0]["place"].removeprefix("joint ")] = cause["parameters"][0]["value"]
+    return {"rotors": {d["joint"]: told[d["joint"]] / d["armature"] if d["joint"] in told else None
+                       for d in seal["drives"]},
+            "errors": {c["name"]: [c["relative_error_before"], c["relative_error_after"]]
+                       for c in findings["channels"]}}
 
 
 def told_keys(findings):

@@ -97,6 +97,21 @@ class Names(unittest.TestCase):
     def test_an_unknown_name_is_false(self):
         self.assertEqual(score.score(seal(family="null"), findings([("gremlins", "motor")]))["false_names"], 1)
 
+    def test_of_a_model_without_drives_every_rotor_counts(self):
+        told = findings([("inertia", "joint j1")], [("inertial parameters", "link l2")])
+        told["verdict"]["causes"][0]["parameters"] = [{"name": "inertia_change", "value": 0.19}]
+        told["channels"] = [{"name": "effort of j1", "relative_error_before": 0.8, "relative_error_after": 0.01}]
+        bare = {"family": "drives", "drives": [{"joint": "j1", "armature": 0.2}, {"joint": "j2", "armature": 0.1}]}
+        found = score.drives_told(bare, told)
+        self.assertAlmostEqual(found["rotors"]["j1"], 0.95)
+        self.assertIsNone(found["rotors"]["j2"])
+        self.assertEqual(found["errors"], {"effort of j1": [0.8, 0.01]})
+
+    def test_a_model_without_drives_says_which_it_lacks(self):
+        bare = seal(family="drives")
+        self.assertRaises(score.BrokenTrial, score.check_seal, bare, "drives", 1.0)
+        score.check_seal({**bare, "drives": [{"joint": "j1", "armature": 0.2}]}, "drives", 1.0)
+
     def test_outside_every_name_is_wrong(self):
         s = score.score(seal(("latch", "joint j2", 0), family="outside"), findings([STRIBECK], none=True))
         self.assertEqual(s["false_names"], 1)

@@ -226,6 +226,8 @@ def run_trial(tools, trial, place):
             return line
         line.update(score.score(seal, findings))
         line["parameters"] = score.in_interval(seal, findings)
+        if trial["family"] == "drives":
+            line["drives"] = score.drives_told(seal, findings)
         line["bands_told"] = findings["verdict"].get("compared_below_hz")
         if trial["family"] == "pair":
             started = time.monotonic()

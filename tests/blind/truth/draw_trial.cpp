@@ -137,9 +137,9 @@ json text_of(const Offer& offer, const Sized& sized) {
 std::size_t wanted_causes(const std::string& family) {
   if (family == "one" || family == "outside" || family == "pair") return 1;
   if (family == "two") return 2;
-  if (family == "null" || family == "fault") return 0;
+  if (family == "null" || family == "fault" || family == "drives") return 0;
   throw std::invalid_argument("no family is called '" + family +
-                              "'; expected null, one, two, outside, pair, fault");
+                              "'; expected null, one, two, outside, pair, fault, drives");
 }
 
 /// A cause of those left, uniformly; one of its places, uniformly.
@@ -314,6 +314,9 @@ Drawn drawn_trial(const TrialRequest& request) {
   for (const DriveTruth& d : drawn.plant->drives())
     seal["drives"].push_back(
         {{"joint", d.joint}, {"armature", d.armature}, {"level", d.level}, {"viscous", d.viscous}});
+  if ((request.family == "drives") == drawn.plant->drives().empty())
+    throw std::invalid_argument(
+        "the family drives, and no other, is one of bare_arm and bare_slide");
   const Sizer sizer(*drawn.plant);
   while (drawn.hidden.size() < count && !from.empty()) {
     const Offer& offer = pick(from, draw);

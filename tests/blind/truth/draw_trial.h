@@ -13,7 +13,7 @@ namespace sinew::trials {
 struct TrialRequest {
   std::uint64_t seed = 1;
   std::string plant = "drive";  ///< or joint, arm, finger, hand, lever, wrist, mujoco_drive, ...
-  std::string family = "one";   ///< or null, two, outside, pair, fault
+  std::string family = "one";   ///< or null, two, outside, pair, fault, drives
   double size = 1.0;            ///< in units of the noise
   std::string cause;     ///< this one instead of a drawn one; the plant is one that offers it
   int logs = 1;          ///< for training, 1 to 3: train.csv, train2.csv, train3.csv
