@@ -50,6 +50,26 @@ Recording DrivenSubject::planned(const PlannedMotion& motion) const {
   return r;
 }
 
+namespace {
+
+/// A motion as it is worked out: at sixteen times the highest frequency that anything is told from.
+/// It is to be played at the logs' own rate, at which its signals would take as much memory again.
+PlannedMotion slowed(const PlannedMotion& motion, const std::vector<double>& band_hz) {
+  constexpr double rate_over_band = 16.0;
+  if (band_hz.empty()) return motion;
+  const double band = *std::max_element(band_hz.begin(), band_hz.end());
+  const auto stride = static_cast<Index>(1.0 / (rate_over_band * band * motion.step));
+  if (stride < 2) return motion;
+  PlannedMotion slow = motion;
+  slow.step *= static_cast<double>(stride);
+  const auto kept = Eigen::seqN(0, (motion.position.rows() - 1) / stride + 1, stride);
+  slow.position = motion.position(kept, Eigen::all).eval();
+  if (motion.load.size() > 0) slow.load = motion.load(kept).eval();
+  return slow;
+}
+
+}  // namespace
+
 std::vector<PlannedExperiment> DrivenSubject::experiments(int channel) const {
   std::vector<PlannedExperiment> list;
   if (tendons_) return list;
@@ -59,7 +79,9 @@ std::vector<PlannedExperiment> DrivenSubject::experiments(int channel) const {
   const MotionRange& own = joints[joint];
   if (!(own.high > own.low && own.speed > 0.0 && own.acceleration > 0.0)) return list;
   for (PlannedMotion& motion : planned_motions(joints, joint, problem_.training.front().step))
-    list.push_back({motion, [this, motion] { return planned(motion); }});
+    list.push_back({motion, [this, motion] {
+                      return planned(slowed(motion, problem_.training.front().band_hz));
+                    }});
   return list;
 }
 
