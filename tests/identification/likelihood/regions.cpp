@@ -127,6 +127,20 @@ TEST_CASE("products of columns that cannot meet are not kept") {
   CHECK((products.dense() - dense).cwiseAbs().maxCoeff() < 1e-9);
   products.set(1, 0, 5.0);  // of two channels
   CHECK(products(1, 0) == 0.0);
+  // Seen red with the lower half left as it came.
+  const RegionProducts by_region(
+      Regions(arm.acts, {}),
+      [&](const std::vector<Index>& rows, const std::vector<Index>& columns) -> MatrixXd {
+        MatrixXd part = dense(rows, columns);
+        for (Index r = 0; r < part.rows(); ++r)
+          for (Index c = 0; c < part.cols(); ++c)
+            if (rows[static_cast<std::size_t>(r)] < columns[static_cast<std::size_t>(c)] &&
+                arm.acts.col(rows[static_cast<std::size_t>(r)]) ==
+                    arm.acts.col(columns[static_cast<std::size_t>(c)]))
+              part(r, c) = 1e9;  // the upper half of a region's is not read
+        return part;
+      });
+  CHECK((by_region.dense() - dense).cwiseAbs().maxCoeff() < 1e-9);
   RegionProducts twice = products;
   twice += products;
   CHECK((twice.dense() - 2.0 * dense).cwiseAbs().maxCoeff() < 1e-9);
