@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An arm's joints stay apart in the search, and planned motions are no larger than the logs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+
+#include "identification/logs/read_csv.h"
+#include "identification/subjects/driven_subject.h"
+#include "identification/subjects/rigid_candidates.h"
+#include "symbolic/extension/driven_model.h"
+#include "tests/identification/subjects/arm_logs.h"
+#include "tests/reference/temporary_folder.h"
+
+namespace {
+
+using namespace sinew;
+using diagnosis::DrivenSubject;
+
+/// The arm's log at 1 kHz with the encoders' steps, read and prepared.
+DrivenSubject subject_with_steps(const Mechanism& arm) {
+  constexpr double step = 2.0 * std::numbers::pi / (1 << 18);
+  const reference::TemporaryFolder folder;
+  const std::string path = (folder.path() / "log.csv").string();
+  test::ArmLog logged = test::draw_log(arm, 5, {0.5, 0.2}, 0.001);
+  logged.q = (logged.q / step).array().round() * step;
+  reference::write_text(path, test::csv(logged));
+  const std::filesystem::path runtime = SINEW_SOURCE_DIR "/runtime";
+  DrivenSubject subject(driven_model(arm), {}, runtime,
+                        std::make_shared<const diagnosis::RigidColumns>(arm, runtime));
+  const Log log = read_csv(path, robot_channels(arm));
+  diagnosis::DrivenColumns columns;
+  for (Eigen::Index j = 0; j < test::kArmJoints; ++j) {
+    columns.positions.push_back(log.channel(fmt::format("q_j{}", j + 1)));
+    columns.efforts.push_back(log.channel(fmt::format("tau_j{}", j + 1)));
+  }
+  subject.add_log(log, columns, false);
+  subject.prepare({});
+  return subject;
+}
+
+}  // namespace
+
+// Seen red with one coefficient for all joints: the products of every joint's columns with every
+// other's were kept, three times the memory and twice the time on seven joints.
+TEST_CASE("what is fitted in any case acts on one joint each") {
+  const DrivenSubject subject = subject_with_steps(test::arm_of_five());
+  std::size_t of_steps = 0;
+  for (const diagnosis::Candidate& c : subject.problem().library) {
+    if (!c.nuisance) continue;
+    INFO(c.name << " " << c.place);
+    CHECK(c.channels.size() == 1);
+    of_steps += c.name == "quantisation of the position sensor" ? 1 : 0;
+  }
+  CHECK(of_steps > static_cast<std::size_t>(test::kArmJoints));
+}
+
+// Seen red with the motions at the logs' rate.
+TEST_CASE("a planned motion is played at the logs' rate and worked out at its band's") {
+  const DrivenSubject subject = subject_with_steps(test::arm_of_five());
+  const std::vector<double>& band = subject.problem().training.front().band_hz;
+  REQUIRE_FALSE(band.empty());
+  const double highest = *std::max_element(band.begin(), band.end());
+  REQUIRE(highest < 30.0);
+  const auto experiments = subject.experiments(1);
+  REQUIRE_FALSE(experiments.empty());
+  for (const diagnosis::PlannedExperiment& e : experiments) {
+    INFO(e.motion.name);
+    CHECK(e.motion.step == Approx(0.001));
+    const diagnosis::Recording planned = e.recording();
+    CHECK(1.0 / planned.step >= 16.0 * highest);
+    CHECK(1.0 / planned.step < 32.0 * highest);
+    const double played = e.motion.step * static_cast<double>(e.motion.position.rows() - 1);
+    CHECK(planned.time(planned.time.size() - 1) == Approx(played).margin(planned.step));
+  }
+}
