@@ -5,8 +5,8 @@ import html
 from results import by, calibration, cause_of, counted, of, rate, said, status
 
 PLANTS = {"drive": "drives", "mujoco_drive": "drives (MuJoCo)", "joint": "lone joints", "arm": "arms, 2–7 joints",
-          "mujoco_arm": "arms (MuJoCo)", "mujoco_bare_arm": "seven joints, a URDF alone (MuJoCo)",
-          "mujoco_bare_slide": "three joints, one slides, a URDF alone (MuJoCo)", "finger": "fingers on tendons",
+          "mujoco_arm": "arms (MuJoCo)", "mujoco_bare_arm": "seven joints, no drives in the model (MuJoCo)",
+          "mujoco_bare_slide": "three joints, one slides, no drives in the model (MuJoCo)", "finger": "fingers on tendons",
           "mujoco_finger": "fingers (MuJoCo)", "hand": "hands, palm held", "lever": "levers", "wrist": "wrists"}
 TEN = 10  # trials of a cause at least
 # right at 1.0 and at 0.5 of the noise
@@ -138,7 +138,7 @@ def families(lines):
 
 
 def drives(lines):
-    """Arms whose model is their URDF alone: everything of their drives is to be learnt."""
+    """Arms without drives in their models: rotors and friction of every joint are to be learnt."""
     rows = []
     for plant, name in PLANTS.items():
         some = of(lines, plant=plant, family="drives")
@@ -154,9 +154,10 @@ def drives(lines):
                      rate(errors, lambda e: e[1] <= e[0]),
                      f"{left[len(left) // 2]:.2g} %, at most {left[-1]:.2g} %" if left else "",
                      rate(rotors, lambda r: r is not None and abs(r - 1) <= 0.05),
+                     rate(n, lambda x: any(s[0].startswith("payload@") for s in x["sets"])),
                      f"{sum(x['took'] for x in n) / len(n):.0f} s" if n else "", *ended(some)])
     return table(["plant", "trials", "a report", "adopted", "bodies and mass matrix possible", "joints no worse",
-                  "left of a joint's standard deviation", "rotors within 5 %", "took", "unreachable", "refused",
+                  "left of a joint's standard deviation", "rotors within 5 %", "told a payload; none carries one", "took", "unreachable", "refused",
                   "crashed"], rows)
 
 
@@ -298,7 +299,7 @@ def written(everything, facts, limits):
 def of_bare_arms(lines, facts):
     """The page of trials of the family drives."""
     return "\n".join([
-        "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->", "# Arms whose model is their URDF alone\n",
+        "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->", "# Arms without drives in their models\n",
         "What is hidden and what counts stand in [blind_trials.md](blind_trials.md). This page is written by the study; "
         "nothing on it is edited.\n",
         f"Engine: SHA-256 of its sources `{facts['engine']}`; program `{facts['program']}`; {facts['date']}; "

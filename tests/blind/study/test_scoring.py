@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each rule of scoring with the defect that it is there for. Seen to fail: matched() by name alone (without
 place) lets a wrong place and a repeated name pass; right without len(told) lets a surplus set pass;
-check_seal() without its first rule lets a dropped cause pass; check_sealed() without its list of files
+check_seal() without its first rule lets a dropped cause pass, without that of drives a model that lacks none;
+drives_told() of any name, or with a rotor that was not told taken for right; check_sealed() without its list of files
 lets a seal in the folder pass."""
 import copy
 import json

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arms as a maker's URDF leaves them: links as they were drawn, and nothing of the drives.
+// Arms whose models hold what a maker's URDF does: links as they were drawn, nothing of the drives.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 using truth::Draw;
 
-/// Of a seven-joint arm with a shoulder, an elbow and a wrist; every second link is short.
+/// Of a seven-joint arm: its joints roll and bend in turn.
 Link arm_link(std::size_t i, double length, double mass, Draw& draw) {
   Link link;
   const bool rolls = i % 2 == 0;

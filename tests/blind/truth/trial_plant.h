@@ -78,7 +78,7 @@ std::unique_ptr<TrialPlant> draw_drive(truth::Draw draw, Mechanics mechanics,
 std::unique_ptr<TrialPlant> draw_joint(truth::Draw draw, double heavier = 1.0,
                                        const Pairing* pairing = nullptr);
 std::unique_ptr<TrialPlant> draw_arm(truth::Draw draw, Mechanics mechanics);
-/// An arm whose model is its URDF alone, at 1 kHz: seven joints, or three of which one slides.
+/// An arm whose model knows no drives, logged at 1 kHz: seven joints, or three of which one slides.
 std::unique_ptr<TrialPlant> draw_bare_arm(truth::Draw draw, Mechanics mechanics, bool slides);
 std::unique_ptr<TrialPlant> draw_finger(truth::Draw draw, Mechanics mechanics);
 std::unique_ptr<TrialPlant> draw_hand(truth::Draw draw);
