@@ -164,23 +164,17 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
                                  bristle_[joint] ? model_.joints[joint].friction : 0.0),
        "sensor_low_pass");
   take(sensor_hysteresis_candidate(where, known_, scale(joint)), "sensor_hysteresis");
-  // What is in every measurement is fitted channel by channel: a coefficient of all channels would
-  // make the products of all their columns with each other.
-  const auto take_nuisance = [&](Candidate candidate, const std::string& effect) {
-    candidate.nuisance = true;
-    for (const int channel : coupled) {
-      candidate.channels = {channel};
-      take(candidate, effect);
-    }
-  };
+  // What is in every measurement is fitted at its own joint. Through the masses it reaches the
+  // others as noise does; with a column there it would make the products of all joints' columns
+  // with each other, and with a coefficient there it would bend what is found.
+  const std::vector<int> own = {where.axis};
   if (coarse_sensor(joint)) {
-    const Candidate steps = sensor_quantisation_candidate(where, known_, coupled);
-    if (fine_sensor(joint))
-      take_nuisance(steps, "sensor_quantisation");
-    else
-      take(steps, "sensor_quantisation");
+    const bool fine = fine_sensor(joint);
+    take(sensor_quantisation_candidate(where, known_, fine ? own : coupled), "sensor_quantisation");
+    problem_.library.back().nuisance = fine;
   } else if (noise_of_position(training(), static_cast<Index>(joint))) {
-    take_nuisance(sensor_noise_candidate(where, known_, coupled), "sensor_noise");
+    take(sensor_noise_candidate(where, known_, own), "sensor_noise");
+    problem_.library.back().nuisance = true;
   }
   if (tendon_driven(joint))
     take(pulley_radius_candidate(where.axis, where.name), "pulley_radius");
