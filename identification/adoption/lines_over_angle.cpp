@@ -96,8 +96,8 @@ std::vector<NamedCause> lines_beside(const DrivenSubject& subject, const Verdict
   for (const ShaftLine& each : subject.shaft_lines()) {
     const Candidate& ripple = subject.problem().library[static_cast<std::size_t>(each.candidate)];
     if (is_named(ripple, verdict)) continue;
-    const LineInLogs training = line_in(subject, each, subject.problem().training, settings.blocks);
-    const LineInLogs held_out = line_in(subject, each, subject.problem().holdout, settings.blocks);
+    const LineInLogs training = line_in(subject, each, subject.logged_training(), settings.blocks);
+    const LineInLogs held_out = line_in(subject, each, subject.logged_holdout(), settings.blocks);
     NamedCause cause;
     cause.cross_validated = gain_of_line(training, settings);
     cause.held_out = cause.confirmed = gain_of_line(held_out, settings);

@@ -139,8 +139,8 @@ struct BothDrives {
 /// One domain of all joints.
 void add_domain(const std::string& domain, const Errors& errors, const DrivenSubject& subject,
                 const BothDrives& drives, std::vector<ChannelFinding>& channels) {
-  const Problem& problem = subject.problem();
-  const auto& logs = problem.holdout.empty() ? problem.training : problem.holdout;
+  const auto& logs =
+      subject.logged_holdout().empty() ? subject.logged_training() : subject.logged_holdout();
   const auto joints = static_cast<Index>(channels.size());
   std::vector<StretchErrors> parts(2 * logs.size());  // before and after, log by log
   tbb::parallel_for(0, static_cast<int>(parts.size()), [&](int i) {
@@ -220,7 +220,7 @@ StretchErrors open_loop_errors(const EffortModel& model, const Recording& log, i
 
 void add_predictions(const DrivenSubject& subject, const EffortModel& after,
                      std::vector<ChannelFinding>& channels) {
-  const auto& logs = subject.problem().training;
+  const auto& logs = subject.logged_training();
   const auto by_tendons = [](const Recording& log) { return log.signals.count("tension") > 0; };
   const bool tendons = std::any_of(logs.begin(), logs.end(), by_tendons);
   if (std::any_of(logs.begin(), logs.end(), [&](const Recording& log) {

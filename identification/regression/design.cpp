@@ -8,6 +8,7 @@
 #include "identification/regression/inner_loop.h"
 #include "identification/regression/spectrum.h"
 #include "identification/regression/standstill.h"
+#include "identification/regression/thinned_recording.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -18,45 +19,6 @@ using Eigen::VectorXd;
 
 Index edge_samples(const Settings& settings, double step) {
   return static_cast<Index>(std::lround(settings.edge_s / step));
-}
-
-// Half the work of a frictional drive lies below 40 Hz; more band costs time and adds noise.
-constexpr double kBand = 100.0;
-
-// Samples a second that are kept at least, as a multiple of the band.
-constexpr double kSamplesPerBand = 6.0;
-
-/// The filter that thins a log, factor 1 where it is not sampled fast enough to be worth it.
-DecimatingFilter thinning_filter(double step, double band_hz) {
-  const double factor = std::floor(1.0 / (step * kSamplesPerBand * band_hz));
-  return design_decimating_filter(step, 0.4 / (std::max(1.0, factor) * step) * (1.0 - 1e-9));
-}
-
-Recording thin(const Recording& log, const DecimatingFilter& filter) {
-  Recording r;
-  const auto take = [&](const MatrixXd& x) {
-    return x.size() == 0 ? x : filter_decimate(filter, x);
-  };
-  r.name = log.name;
-  r.step = log.step * filter.factor;
-  r.time = take(log.time);
-  r.log_start = log.log_start;
-  r.q = take(log.q);
-  r.qd = take(log.qd);
-  r.qdd = take(log.qdd);
-  r.command = take(log.command);
-  r.load = take(log.load);
-  r.temperature = take(log.temperature);
-  for (const auto& [name, signal] : log.signals)
-    if (name != effort_of_logged_motion) r.signals[name] = take(*signal);
-  for (const auto& [name, signal] : log.wide_signals)
-    r.wide_signals[name] = std::make_shared<const MatrixXd>(take(*signal));
-  for (const VectorXd& x : log.target) r.target.push_back(take(x));
-  for (const VectorXd& x : log.known) r.known.push_back(take(x));
-  r.standstills = log.standstills;
-  r.disturbed = log.disturbed;
-  r.band_hz = log.band_hz;
-  return r;
 }
 
 }  // namespace
@@ -91,10 +53,11 @@ Design::Design(const Problem& problem, const Settings& settings)
 
 void Design::add_segments(const std::vector<Recording>& recordings, int first, bool holdout) {
   for (std::size_t r = 0; r < recordings.size(); ++r) {
-    const double band = settings_.band_hz > 0.0 ? settings_.band_hz : kBand;
+    const double band = highest_compared(recordings[r], settings_);
     const int index = first + static_cast<int>(r);
     const DecimatingFilter thinning = thinning_filter(recordings[r].step, band);
-    if (thinning.factor > 1) thinned_[index] = {thinning, thin(recordings[r], thinning)};
+    if (thinning.factor > 1)
+      thinned_[index] = {thinning, diagnosis::thinned(recordings[r], thinning)};
     const Recording& log = recording(index);
     for (int channel = 0; channel < static_cast<int>(log.target.size()); ++channel) {
       const Index raw = log.target[static_cast<std::size_t>(channel)].size();

@@ -81,9 +81,9 @@ class SharedColumns {
 /// Whether a candidate is asked for a channel's columns.
 bool acts_on(const Candidate& candidate, int channel);
 
-/// Filters what a problem holds. Keeps a reference to the problem. Logs sampled at more than twelve
-/// times the band are thinned first, every signal by the same zero-phase filter: no regressor needs
-/// more samples, and the work of evaluating them is what a long log costs.
+/// Filters what a problem holds. Keeps a reference to the problem. Logs sampled faster than their
+/// comparison needs are thinned first (thinned_recording.h): no regressor needs more samples, and
+/// the work of evaluating them is what a long log costs.
 class Design {
  public:
   Design(const Problem& problem, const Settings& settings);

@@ -142,9 +142,8 @@ void DrivenSubject::add_gear(std::size_t joint) {
   // A spring shows in the fourth derivative of the position. Where the motion has none worth
   // mentioning, that is the position's noise, and so is part of what the inertia leaves over.
   constexpr double kMostlyNoise = 0.5;
-  const double noise = noise_of_jounce(training(), static_cast<Index>(joint), quantum_[joint]);
   const bool links = carries_links(joint);
-  if (noise < kMostlyNoise)
+  if (position_error_[joint].share_of_jounce < kMostlyNoise)
     for (const char* effect : {"elasticity", "resonance"})
       add((links ? "link_" : "gear_") + std::string(effect), joint);
   if (links) return add("link_backlash", joint);
@@ -168,11 +167,11 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   // others as noise does; with a column there it would make the products of all joints' columns
   // with each other, and with a coefficient there it would bend what is found.
   const std::vector<int> own = {where.axis};
-  if (coarse_sensor(joint)) {
+  if (position_error_[joint].coarse) {
     const bool fine = fine_sensor(joint);
     take(sensor_quantisation_candidate(where, known_, fine ? own : coupled), "sensor_quantisation");
     problem_.library.back().nuisance = fine;
-  } else if (noise_of_position(training(), static_cast<Index>(joint))) {
+  } else if (position_error_[joint].hides_acceleration) {
     take(sensor_noise_candidate(where, known_, own), "sensor_noise");
     problem_.library.back().nuisance = true;
   }

@@ -52,13 +52,10 @@ Recording DrivenSubject::planned(const PlannedMotion& motion) const {
 
 namespace {
 
-/// A motion as it is worked out: at sixteen times the highest frequency that anything is told from.
-/// It is to be played at the logs' own rate, at which its signals would take as much memory again.
-PlannedMotion slowed(const PlannedMotion& motion, const std::vector<double>& band_hz) {
-  constexpr double rate_over_band = 16.0;
-  if (band_hz.empty()) return motion;
-  const double band = *std::max_element(band_hz.begin(), band_hz.end());
-  const auto stride = static_cast<Index>(1.0 / (rate_over_band * band * motion.step));
+/// A motion as it is worked out: at the rate that the logs are compared at. It is to be played at
+/// their own.
+PlannedMotion slowed(const PlannedMotion& motion, double compared_step) {
+  const auto stride = static_cast<Index>(std::lround(compared_step / motion.step));
   if (stride < 2) return motion;
   PlannedMotion slow = motion;
   slow.step *= static_cast<double>(stride);
@@ -78,9 +75,9 @@ std::vector<PlannedExperiment> DrivenSubject::experiments(int channel) const {
   const auto joint = static_cast<std::size_t>(channel);
   const MotionRange& own = joints[joint];
   if (!(own.high > own.low && own.speed > 0.0 && own.acceleration > 0.0)) return list;
-  for (PlannedMotion& motion : planned_motions(joints, joint, problem_.training.front().step))
+  for (PlannedMotion& motion : planned_motions(joints, joint, logged_training_.front().step))
     list.push_back({motion, [this, motion] {
-                      return planned(slowed(motion, problem_.training.front().band_hz));
+                      return planned(slowed(motion, problem_.training.front().step));
                     }});
   return list;
 }

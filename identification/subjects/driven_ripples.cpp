@@ -83,14 +83,14 @@ ShaftLog DrivenSubject::shaft_log(std::size_t joint, double turn, const Recordin
   const auto axis = static_cast<int>(joint);
   return {log.q.col(axis) / turn,
           left_by(smooth_columns(log, flexible_families(ranges(joint), axis, axis), axis),
-                  log.target[joint] - log.known[joint])};
+                  log.target[joint] - known_(log).col(axis))};
 }
 
 /// Above the low orders.
 std::vector<OrderLine> DrivenSubject::lines_found(std::size_t joint, double turn) const {
   std::vector<ShaftLog> logs;
   double most = 0.0;
-  for (const Recording& log : problem_.training) {
+  for (const Recording& log : logged_training_) {
     const auto q = log.q.col(static_cast<Index>(joint));
     if (!(q.maxCoeff() - q.minCoeff() >= kLeastTurns * turn)) continue;
     const double slow = slow_speed(q, log.qd.col(static_cast<Index>(joint)));

@@ -57,14 +57,22 @@ void DrivenSubject::add_derivatives(Recording& log) const {
       differentiate(log.q(Eigen::all, noisy), log.step, smooth_cutoff(log.step)).qdd;
 }
 
+void DrivenSubject::learn_position_errors() {
+  for (std::size_t j = 0; j < bristle_.size(); ++j) {
+    const auto c = static_cast<Index>(j);
+    position_error_.push_back({noise_of_position(training(), c), coarse_sensor(j),
+                               noise_of_jounce(training(), c, quantum_[j])});
+  }
+}
+
 /// Nothing is told from an effort at frequencies where all motion that it would need is noise of a
 /// position: of its own joint's, and of every joint's where they carry each other. Where a log is
 /// written finer than its sensor reads, the sensor's steps are the error, and known.
 void DrivenSubject::set_bands() {
   std::vector<bool> noisy;
   for (std::size_t j = 0; j < bristle_.size(); ++j)
-    noisy.push_back(noise_of_position(training(), static_cast<Index>(j)) &&
-                    !(rounded_again_[j] && coarse_sensor(j)));
+    noisy.push_back(position_error_[j].hides_acceleration &&
+                    !(rounded_again_[j] && position_error_[j].coarse));
   const bool any = std::find(noisy.begin(), noisy.end(), true) != noisy.end();
   for (auto* logs : {&problem_.training, &problem_.holdout})
     for (Recording& log : *logs) {

@@ -14,6 +14,7 @@
 #include "identification/regression/position_noise.h"
 #include "identification/regression/refine.h"
 #include "identification/regression/standstill.h"
+#include "identification/regression/thinned_recording.h"
 #include "identification/subjects/effect_candidate.h"
 #include "symbolic/dynamics/dynamics_functions.h"
 #include "symbolic/effects/effects.h"
@@ -274,6 +275,19 @@ MatrixXd DrivenSubject::effort_of_smooth_load(Recording& log) const {
   return effort;
 }
 
+namespace {
+
+/// What is kept of a log at its own rate.
+void keep_logged(Recording& log) {
+  Signals kept;
+  for (const char* name :
+       {"read_q", "read_qd", "read_qdd", "acceleration", "jerk", "jounce", "tension"})
+    if (const MatrixXd* signal = log.signals.find(name)) kept[name] = *signal;
+  log.signals = std::move(kept);
+}
+
+}  // namespace
+
 std::vector<std::string> DrivenSubject::complete_loads() {
   std::vector<std::string> without;
   Index columns = 0;
@@ -289,8 +303,21 @@ std::vector<std::string> DrivenSubject::complete_loads() {
   return without;
 }
 
+void DrivenSubject::thin_logs(const Settings& settings) {
+  for (auto [compared, logged] : {std::pair{&problem_.training, &logged_training_},
+                                  std::pair{&problem_.holdout, &logged_holdout_}})
+    for (Recording& log : *compared) {
+      const DecimatingFilter filter = thinning_filter(log.step, highest_compared(log, settings));
+      Recording thin = filter.factor > 1 ? thinned(log, filter) : log;
+      keep_logged(log);
+      logged->push_back(std::exchange(log, std::move(thin)));
+    }
+}
+
 void DrivenSubject::prepare(const Settings& settings) {
+  learn_position_errors();
   set_bands();
+  thin_logs(settings);
   for (auto* logs : {&problem_.training, &problem_.holdout})
     for (Recording& log : *logs) add_model(log);
   problem_.baseline.clear();

@@ -45,6 +45,13 @@ struct DrivenColumns {
   int payload = -1;  ///< mass that is carried; -1: none is logged
 };
 
+/// What a joint's position reads beside its motion, in the training logs together.
+struct PositionError {
+  bool hides_acceleration = false;  ///< above the smooth motion its noise is all there is
+  bool coarse = false;              ///< most of it is the sensor's steps
+  double share_of_jounce = 0.0;     ///< of the fourth derivative
+};
+
 /// What is to be said of a log's load.
 struct PayloadNote {
   std::string log;  ///< file
@@ -71,11 +78,15 @@ class DrivenSubject {
   /// After the last log. Gives the names of the recordings without a load of their own.
   std::vector<std::string> complete_loads();
 
-  /// Baseline, library and deviations for the logs added so far. Throws std::invalid_argument where
-  /// no stretch of a log is long enough.
+  /// Baseline, library and deviations for the logs added so far, which are thinned to what their
+  /// comparison needs. Once. Throws std::invalid_argument where no stretch of a log is long enough.
   void prepare(const Settings& settings);
 
   const Problem& problem() const { return problem_; }
+  /// The logs at their own rate, after prepare(): motion, targets, loads, and of the signals
+  /// "read_q", "read_qd", "read_qdd", "acceleration", "jerk", "jounce" and "tension".
+  const std::vector<Recording>& logged_training() const { return logged_training_; }
+  const std::vector<Recording>& logged_holdout() const { return logged_holdout_; }
   /// Step of the values that the logs have of a channel, SI; 0: none is seen.
   void set_quantum(int channel, double step) {
     problem_.quantum.resize(static_cast<std::size_t>(problem_.channels), 0.0);
@@ -116,7 +127,7 @@ class DrivenSubject {
   };
   const std::vector<ShaftLine>& shaft_lines() const { return lines_; }
   /// A joint's effort as it was logged, above the band of the comparison too, over a shaft's turns:
-  /// what the model and splines in position, speed and load leave over.
+  /// what the model and splines in position, speed and load leave over. `log`: at its own rate.
   ShaftLog shaft_log(std::size_t joint, double turn, const Recording& log) const;
   /// What is known of a joint's friction direction: true where it is a bristle state.
   bool bristle(std::size_t joint) const { return bristle_[joint]; }
@@ -135,6 +146,8 @@ class DrivenSubject {
   std::vector<const Recording*> training() const;
   void learn_steps(const Log& log, int position, std::size_t joint);
   bool coarse_sensor(std::size_t joint) const;
+  void learn_position_errors();
+  void thin_logs(const Settings& settings);
   bool fine_sensor(std::size_t joint) const;
   std::vector<int> coupled_joints(std::size_t joint);
   void add_tendon_forces(const Eigen::MatrixXd& forces, const Eigen::MatrixXd& efforts,
@@ -191,9 +204,11 @@ class DrivenSubject {
   std::vector<bool> bristle_;
   std::vector<double> quantum_;      ///< of the logged positions; 0: no steps seen
   std::vector<bool> rounded_again_;  ///< their logs have a much finer grid than the sensor
-  std::vector<double> presliding_;   ///< fitted length, where the direction is a bristle state
+  std::vector<PositionError> position_error_;
+  std::vector<double> presliding_;  ///< fitted length, where the direction is a bristle state
   std::vector<KnownPayload> payloads_;
   Problem problem_;
+  std::vector<Recording> logged_training_, logged_holdout_;
   std::vector<CandidateOrigin> library_, baseline_, deviations_;
   std::vector<ShaftLine> lines_;
 };
