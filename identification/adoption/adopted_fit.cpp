@@ -45,7 +45,7 @@ std::optional<Impossible> first_impossible(const Design& design, const Selection
   const auto all = estimates(design, model, selection.noise);
   const LinearFit fit = solve(stack(model, selection.noise.weights));
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
-    if (model.terms[t].baseline) continue;
+    if (model.terms[t].baseline || model.terms[t].candidate->nuisance) continue;
     const std::string why = why_not(design, model, fit, t, all[t]);
     if (!why.empty()) return Impossible{t, why};
   }

@@ -44,7 +44,8 @@ Recording DrivenSubject::planned(const PlannedMotion& motion) const {
   add_motion(motion.position, r);
   if (!problem_.training.front().standstills.empty()) add_standstills(r);
   add_model(r);
-  set_signals(r);
+  set_directions(r);
+  add_mechanism_signals(r);
   for (std::size_t j = 0; j < bristle_.size(); ++j)
     if (moves_links(j)) add_sensor_responses(known_, static_cast<int>(j), r);
   return r;

@@ -83,7 +83,7 @@ ShaftLog DrivenSubject::shaft_log(std::size_t joint, double turn, const Recordin
   const auto axis = static_cast<int>(joint);
   return {log.q.col(axis) / turn,
           left_by(smooth_columns(log, flexible_families(ranges(joint), axis, axis), axis),
-                  log.target[joint] - known_(log).col(axis))};
+                  log.target[joint] - log.known[joint])};
 }
 
 /// Above the low orders.

@@ -225,8 +225,8 @@ void DrivenSubject::add_model(Recording& log) const {
   if (tendons_) tendons_->add_agreeing_tension(log);
 }
 
-/// What candidates act by.
-void DrivenSubject::set_signals(Recording& log) const {
+/// The direction of each joint's friction, and the model's effort with it.
+void DrivenSubject::set_directions(Recording& log) const {
   MatrixXd direction(log.q.rows(), log.q.cols());
   for (std::size_t j = 0; j < bristle_.size(); ++j) {
     const auto c = static_cast<Index>(j);
@@ -243,6 +243,10 @@ void DrivenSubject::set_signals(Recording& log) const {
     if (bristle_[j])
       effort.col(static_cast<Index>(j)) +=
           model_.joints[j].friction * direction.col(static_cast<Index>(j));
+}
+
+/// What candidates act by that the mechanism asks for.
+void DrivenSubject::add_mechanism_signals(Recording& log) const {
   if (!rigid_) return;
   rigid_->add_signals(log);
   if (!model_.joints.front().carries_links) return;
@@ -309,6 +313,7 @@ void DrivenSubject::thin_logs(const Settings& settings) {
     for (Recording& log : *compared) {
       const DecimatingFilter filter = thinning_filter(log.step, highest_compared(log, settings));
       Recording thin = filter.factor > 1 ? thinned(log, filter) : log;
+      if (filter.factor > 1) thin.signals[effort_of_logged_motion] = known_(thin);
       keep_logged(log);
       logged->push_back(std::exchange(log, std::move(thin)));
     }
@@ -317,7 +322,6 @@ void DrivenSubject::thin_logs(const Settings& settings) {
 void DrivenSubject::prepare(const Settings& settings) {
   learn_position_errors();
   set_bands();
-  thin_logs(settings);
   for (auto* logs : {&problem_.training, &problem_.holdout})
     for (Recording& log : *logs) add_model(log);
   problem_.baseline.clear();
@@ -335,8 +339,12 @@ void DrivenSubject::prepare(const Settings& settings) {
   }
   if (std::any_of(bristle_.begin(), bristle_.end(), [](bool b) { return b; }))
     fit_directions(settings);
+  // Friction turns between two samples of a thinned log.
   for (auto* logs : {&problem_.training, &problem_.holdout})
-    for (Recording& log : *logs) set_signals(log);
+    for (Recording& log : *logs) set_directions(log);
+  thin_logs(settings);
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs) add_mechanism_signals(log);
   add_mechanism_candidates();
   for (std::size_t j = 0; j < bristle_.size(); ++j) {
     add_library(j);

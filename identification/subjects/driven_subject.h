@@ -83,8 +83,8 @@ class DrivenSubject {
   void prepare(const Settings& settings);
 
   const Problem& problem() const { return problem_; }
-  /// The logs at their own rate, after prepare(): motion, targets, loads, and of the signals
-  /// "read_q", "read_qd", "read_qdd", "acceleration", "jerk", "jounce" and "tension".
+  /// The logs at their own rate, after prepare(): motion, targets, what is known, loads, and of the
+  /// signals "read_q", "read_qd", "read_qdd", "acceleration", "jerk", "jounce" and "tension".
   const std::vector<Recording>& logged_training() const { return logged_training_; }
   const std::vector<Recording>& logged_holdout() const { return logged_holdout_; }
   /// Step of the values that the logs have of a channel, SI; 0: none is seen.
@@ -177,7 +177,8 @@ class DrivenSubject {
   void take(const KnownPayload& payload);
   void add_motion(const Eigen::MatrixXd& positions, Recording& log) const;
   void add_model(Recording& log) const;
-  void set_signals(Recording& log) const;
+  void set_directions(Recording& log) const;
+  void add_mechanism_signals(Recording& log) const;
   void add_link_signals(Recording& log) const;
   std::vector<int> reacting(std::size_t joint) const;
   void let_others_react(std::size_t joint, Candidate& candidate) const;
