@@ -34,6 +34,11 @@ std::string why_not(const Design& design, const Model& model, const LinearFit& f
   return limit.empty() ? "beside the other causes it is beyond its limits" : limit;
 }
 
+/// The model's own, and what is fitted in any case, are no causes.
+bool is_cause(const Term& term) {
+  return !term.baseline && !term.candidate->nuisance;
+}
+
 struct Impossible {
   std::size_t term = 0;
   std::string why;
@@ -45,7 +50,7 @@ std::optional<Impossible> first_impossible(const Design& design, const Selection
   const auto all = estimates(design, model, selection.noise);
   const LinearFit fit = solve(stack(model, selection.noise.weights));
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
-    if (model.terms[t].baseline || model.terms[t].candidate->nuisance) continue;
+    if (!is_cause(model.terms[t])) continue;
     const std::string why = why_not(design, model, fit, t, all[t]);
     if (!why.empty()) return Impossible{t, why};
   }
@@ -95,7 +100,7 @@ bool leave_out_harmful(const Design& design, const Settings& settings, int chann
   double least = loss_at(design, settings, model, weights, channel);
   std::optional<std::size_t> harmful;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
-    if (model.terms[t].baseline || !acts_on(design, model.terms[t], channel)) continue;
+    if (!is_cause(model.terms[t]) || !acts_on(design, model.terms[t], channel)) continue;
     Model without = model;
     remove_term(design, t, without);
     const double loss = loss_at(design, settings, without, weights, channel);
