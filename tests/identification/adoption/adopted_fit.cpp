@@ -6,6 +6,7 @@
 
 #include "identification/regression/baseline.h"
 #include "identification/regression/noise_model.h"
+#include "identification/regression/refine.h"
 
 using namespace sinew::diagnosis;
 
