@@ -108,7 +108,8 @@ Told told_by(const json& verdict) {
 TEST_CASE("friction in a finger's guides is told, and a push at its tip", "[slow]") {
   // Seen to fail with measured forces in the place of those that agree with the model (routing
   // offsets of nearly a pulley's radius are told), and with the guides of each tendon by itself
-  // alone: six of them, up to 0.19 for their antagonists, too.
+  // alone: six of them, up to 0.19 for their antagonists, too. With friction's direction worked out
+  // at a thinned rate a motor's friction turned with 0.5 N·m, and nothing was adopted.
   const Workplace place;
   const auto log = [&](const std::string& file, const std::string& text) {
     reference::write_text(place.path(file + ".toml"), text);

@@ -29,19 +29,20 @@ def reversing(velocity, step, cutoff):
     return near
 
 
-def resting(velocity, step, cutoff):
-    """Samples of rest, with the ways into and out of it."""
+def resting(velocity, step, cutoff, still):
+    """Samples of rest, slower than `still`, too, with the ways into and out of it."""
     speed = [abs(v) for v in velocity]
     fastest, rest = max(speed), [False] * len(speed)
     longest, smoothing = int(LONGEST_WAY / step), math.ceil(1.2 / (cutoff * step))
     k = 0
     while k < len(speed):
         end = k
-        while end < len(speed) and speed[end] < STILL * fastest:
+        while end < len(speed) and speed[end] < max(STILL * fastest, still):
             end += 1
         if end - k >= math.ceil(SHORTEST / step):
-            start = max(0, k - smoothing - way_out(speed, k, -1, longest, UNDER_WAY * fastest))
-            stop = min(len(speed), end + smoothing + way_out(speed, end - 1, 1, longest, UNDER_WAY * fastest))
+            fast = max(UNDER_WAY * fastest, still)
+            start = max(0, k - smoothing - way_out(speed, k, -1, longest, fast))
+            stop = min(len(speed), end + smoothing + way_out(speed, end - 1, 1, longest, fast))
             rest[start:stop] = [True] * (stop - start)
         k = end + 1
     return rest
@@ -57,14 +58,22 @@ def stretches(flags):
     return found
 
 
-def standstills(velocities, step, cutoff):
+def standstills(velocities, step, cutoff, still=0.0):
     """Stretches of samples [from, to] that count for nothing; the first velocity's reversals are among them."""
-    rest = [any(flags) for flags in zip(*(resting(v, step, cutoff) for v in velocities))]
+    rest = [any(flags) for flags in zip(*(resting(v, step, cutoff, still) for v in velocities))]
     both = [a or b for a, b in zip(rest, reversing(velocities[0], step, cutoff))]
     for flags in (both, rest):
         if sum(flags) <= MOST * len(flags):
             return stretches(flags)
     return []
+
+
+def united(first, second, count):
+    """Both, unless they are too much of a log of so many samples; then the first alone."""
+    flags = [False] * count
+    for start, end in first + second:
+        flags[start:end + 1] = [True] * (end + 1 - start)
+    return stretches(flags) if sum(flags) <= MOST * count else first
 
 
 def weights(still, instants, step):

@@ -11,6 +11,7 @@ from emitted import Emitted
 from filters import Comparison, smoothed
 
 EDGE, SLOW_FORCE = 0.25, 5.0  # s left away at both ends; Hz
+IN_GUIDE = 3e-4  # m/s: slower a tendon rests
 LAWS = {"direction"}  # what was learnt of how friction turns has no coefficient
 
 
@@ -70,6 +71,7 @@ class Played:
 
     def __init__(self, log, model, c):
         self.log, self.model, self.c = log, model, c
+        self.arms = []  # a tendon, a joint, the rows
         self.step = log["time"][1] - log["time"][0]
         self.joints = joints_of(model, log)
         self.forces = numbered(log, "force")
@@ -141,7 +143,15 @@ class Played:
         return torques_of(self.arms, self.forces) + numbered(self.log, "tau")
 
     def standstills(self, cutoff):
-        return [compared.standstills([v, self.slow[1][j]], self.step, cutoff) for j, v in enumerate(self.v)]
+        """Of each channel: its own, and where a tendon that passes the joint rests in its guide."""
+        still = [compared.standstills([v, self.slow[1][j]], self.step, cutoff) for j, v in enumerate(self.v)]
+        for arms in self.arms:
+            rates = [moved(arms, speeds) for speeds in (self.v, self.slow[1])]
+            rests = compared.standstills(rates, self.step, cutoff, IN_GUIDE)
+            for j, arm in enumerate(arms):
+                if any(arm):
+                    still[j] = compared.united(still[j], rests, len(arm))
+        return still
 
     def residuals(self, c, bands, counted):
         """A list a channel. bands: Hz; counted: share of the samples that count, 1 where rests do, too."""
@@ -174,6 +184,11 @@ def torques_of(arms, forces):
                 total = [t - a * f for t, a, f in zip(total, arm[j], force)]
         torques.append(total)
     return torques
+
+
+def moved(arms, speeds):
+    """How fast the joints move a tendon. arms: a joint, the rows."""
+    return [sum(at) for at in zip(*([a * v for a, v in zip(arm, speed)] for arm, speed in zip(arms, speeds)))]
 
 
 def squares(x, y):
