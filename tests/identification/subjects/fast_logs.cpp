@@ -41,7 +41,7 @@ TEST_CASE("logs and planned motions are worked out at the rate that is compared"
   }
 }
 
-// Planted defect, seen to fail: a thinned recording without its payload_effort, so that a log at
+// Seen red with a thinned recording without its payload_effort: a log at
 // 1 kHz was measured as if nothing were carried.
 TEST_CASE("a load of known mass is none in fast logs either") {
   const Mechanism arm = test::arm_of_five();
