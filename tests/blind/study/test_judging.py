@@ -59,6 +59,15 @@ class Compared(unittest.TestCase):
         self.assertTrue(start <= 500 and end >= 599 and end - start < 160)
         self.assertEqual(compared.united([[10, 20]], [[15, 40], [60, 70]], 1000), [[10, 40], [60, 70]])
         self.assertEqual(compared.united([[10, 20]], [[0, 800]], 1000), [[10, 20]])
+        # A tendon that two joints move against each other rests, which counts at both.
+        played = gains.Played.__new__(gains.Played)
+        speed, one = [10.0] * 500 + [1.0] * 600, [0.01] * 1100
+        played.step, played.v, played.slow = step, [speed, [1.0] * 1100], [None, [speed, [1.0] * 1100]]
+        played.arms = [[one, [-0.01] * 1100], [one, one]]
+        still = played.standstills(50.0)
+        self.assertEqual(still[0], still[1])
+        [(start, end)] = still[0]
+        self.assertTrue(450 < start <= 500 and end == 1099)
 
 
 class Physics(unittest.TestCase):

@@ -37,7 +37,7 @@ TEST_CASE("the highest frequency compared is that of the channel with the widest
   CHECK(highest_compared(log, settings) == 25.0);
 }
 
-// Seen red without the filter (every fourth sample): 0.3 of the fast part was left. Planted: no
+// Seen red with every sixth sample as it is: all of the fast part was left; and planted: no
 // payload_effort.
 TEST_CASE("a thinned log has all that the log has, at its instants") {
   constexpr Eigen::Index rows = 10000;

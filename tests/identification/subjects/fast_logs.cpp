@@ -14,7 +14,7 @@ using diagnosis::DrivenSubject;
 
 }  // namespace
 
-// Seen red with every signal worked out at the logs' rate: seven joints took 1.1 GB for 0.7.
+// Seen red with logs that are not thinned.
 TEST_CASE("logs and planned motions are worked out at the rate that is compared") {
   const Mechanism arm = test::arm_of_five();
   const DrivenSubject subject =
@@ -41,8 +41,8 @@ TEST_CASE("logs and planned motions are worked out at the rate that is compared"
   }
 }
 
-// Seen red with a thinned recording without its payload_effort: a log at
-// 1 kHz was measured as if nothing were carried.
+// Seen red with a thinned recording without its payload_effort: a log at 1 kHz was measured as if
+// nothing were carried.
 TEST_CASE("a load of known mass is none in fast logs either") {
   const Mechanism arm = test::arm_of_five();
   const CarriedPayload carried{{}, "l5", test::kLoad, test::kLoadCentre};
