@@ -25,6 +25,7 @@
 #include "cli/simulate.h"
 #include "cli/terminal/terminal.h"
 #include "generator/outputs/interruption.h"
+#include "identification/regression/block_sizes.h"
 #include "simulation/emitted/compiling.h"
 #include "symbolic/files/identifier.h"
 #include "symbolic/files/readable.h"
@@ -88,6 +89,7 @@ int main(int argc, char** argv) {
   ::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, which is told
   sinew::remove_when_interrupted();
   keep_freed_memory();
+  sinew::diagnosis::fix_block_sizes();
   // Ceres logs to standard error what its callers judge by the fit's summary.
   FLAGS_minloglevel = google::GLOG_FATAL;
   int exit_status = 0;

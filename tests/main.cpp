@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
+#include "identification/regression/block_sizes.h"
 #include "tests/skip.h"
 
 namespace {
@@ -21,6 +22,7 @@ void sinew::test::skip(const std::string& reason) {
 }
 
 int main(int argc, char** argv) {
+  sinew::diagnosis::fix_block_sizes();  // as the program does
   Catch::Session session;
   if (const int wrong_usage = session.applyCommandLine(argc, argv)) return wrong_usage;
   // The number of failures, or, where tests are listed, of tests.

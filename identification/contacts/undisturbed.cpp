@@ -9,6 +9,8 @@
 namespace sinew::diagnosis {
 namespace {
 
+constexpr int kMostRounds = 4;  // of causes and disturbances, which settle in one or two
+
 double numbers_of(const Explanation& explanation) {
   double sum = 0.0;
   for (const NamedCause& cause : explanation.verdict.causes)
@@ -104,12 +106,15 @@ std::optional<NamedCause> find_undisturbed(const Searches& searches, const Setti
       seen_by(problem, settings, with_lines(subject, explanation.selection.model), whole);
   if (!seen.in_training()) return std::nullopt;
   DrivenSubject rest = without(subject, seen);
-  // With causes that no push has spoilt it is plainer what is disturbed, in held-out logs too.
-  const Explanation rough = searches.rough(rest, explanation.forms);
-  Disturbances plainer = find_disturbances(left_by(rest, rough));
-  if (plainer.in_training() && differ(plainer, seen)) {
+  // With causes that a push has spoilt less it is plainer what is disturbed, in held-out logs too:
+  // what is set aside of it at first may be its beginning alone.
+  Explanation rough = searches.rough(rest, explanation.forms);
+  for (int turn = 0; turn < kMostRounds; ++turn) {
+    Disturbances plainer = find_disturbances(left_by(rest, rough));
+    if (!plainer.in_training() || !differ(plainer, seen)) break;
     seen = std::move(plainer);
     rest = without(subject, seen);
+    rough = searches.rough(rest, explanation.forms);
   }
   Explanation other = searches.full(rest, rough.forms);
   leave_over(left_by(rest, other), seen);

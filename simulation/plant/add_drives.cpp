@@ -31,8 +31,7 @@ Identified acting_in(const Scenario& scenario, Identified identified) {
   const bool motors = mode == DriveMode::torque || mode == DriveMode::servo;
   std::erase_if(identified.effects, [&](const IdentifiedEffect& e) {
     const bool of_tendon = e.place.starts_with(tendon_place("")) || e.effect == "pulley_radius";
-    const bool of_motor = e.place.starts_with("motor ") || e.effect == "motor_side_guiding";
-    return (of_tendon && mode == DriveMode::joint_torques) || (of_motor && !motors);
+    return (of_tendon && mode == DriveMode::joint_torques) || (needs_motors(e) && !motors);
   });
   return identified;
 }

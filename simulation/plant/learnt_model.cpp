@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/assemble.h"
+#include "symbolic/effects/effects.h"
 #include "symbolic/extension/identified_mechanism.h"
 #include "symbolic/hand/hand_mechanism.h"
 #include "symbolic/parts/part.h"
@@ -24,6 +25,13 @@ bool speaks_of_tendons(const Identified& identified) {
 
 }  // namespace
 
+bool needs_motors(const IdentifiedEffect& entry) {
+  return entry.place.starts_with("motor ") ||
+         std::any_of(effects().begin(), effects().end(), [&](const Effect& effect) {
+           return effect.motor_side && effect.id == entry.effect;
+         });
+}
+
 std::filesystem::path folder_of_motor(const std::filesystem::path& model) {
   return (model / "").lexically_normal().parent_path().parent_path() / "motor";
 }
@@ -37,7 +45,7 @@ std::optional<MotorParameters> motor_beside(const std::filesystem::path& model) 
 }
 
 bool speaks_of_motors(const Identified& identified) {
-  return any_place_begins(identified, "motor ");
+  return std::any_of(identified.effects.begin(), identified.effects.end(), needs_motors);
 }
 
 DrivenModel learnt_model(const Mechanism& mechanism, const Identified& identified,

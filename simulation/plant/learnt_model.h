@@ -16,7 +16,10 @@ std::filesystem::path folder_of_motor(const std::filesystem::path& model);
 /// That motor; nothing where there is none.
 std::optional<MotorParameters> motor_beside(const std::filesystem::path& model);
 
-/// Some entry's place is a tendon's motor.
+/// It acts at a tendon's motor, or by that motor's motion.
+bool needs_motors(const IdentifiedEffect& entry);
+
+/// Some entry needs them.
 bool speaks_of_motors(const Identified& identified);
 
 /// Driven by its tendons where an entry speaks of tendons or of their motors, else at its joints.
