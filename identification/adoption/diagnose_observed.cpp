@@ -19,6 +19,7 @@
 #include "identification/logs/read_csv.h"
 #include "identification/report/log_record.h"
 #include "identification/report/verdict_text.h"
+#include "identification/subjects/rig_readings.h"
 #include "symbolic/notation/print_mathml.h"
 
 namespace sinew::diagnosis {
@@ -116,6 +117,9 @@ class ObservedRun {
   }
 
   void take(const Log& log, bool held_out) {
+    FaultList faults(log.file);
+    judge_rig_columns(log, request_.rig, subject_, faults);
+    if (faults.stops()) throw LogError(faults.all());
     int part = 0;
     for (const sinew::Segment& segment : log.segments) {
       if (segment.samples.rows() < shortest_segment(log.period)) continue;
