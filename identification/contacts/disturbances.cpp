@@ -25,7 +25,6 @@ constexpr double kComesBack = 0.5;  // of the neighbours in state, beyond chance
 constexpr Index kNeighbours = 16;
 constexpr int kOften = 3;      // disturbances: what comes back does so more than once
 constexpr double kMuch = 0.1;  // of all that is disturbed
-constexpr int kMostTurns = 8;  // of levels and disturbances, which settle in two or three
 
 /// Samples of one cell.
 Index cell_length(const LeftOver& r) {

@@ -10,6 +10,9 @@
 
 namespace sinew::diagnosis {
 
+/// Of causes, levels and disturbances, which settle in two or three.
+inline constexpr int kMostTurns = 8;
+
 /// A stretch of one recording: samples first to last - 1.
 struct Disturbance {
   std::size_t recording = 0;  ///< index into Disturbances::left_over

@@ -9,8 +9,6 @@
 namespace sinew::diagnosis {
 namespace {
 
-constexpr int kMostRounds = 4;  // of causes and disturbances, which settle in one or two
-
 double numbers_of(const Explanation& explanation) {
   double sum = 0.0;
   for (const NamedCause& cause : explanation.verdict.causes)
@@ -109,7 +107,7 @@ std::optional<NamedCause> find_undisturbed(const Searches& searches, const Setti
   // With causes that a push has spoilt less it is plainer what is disturbed, in held-out logs too:
   // what is set aside of it at first may be its beginning alone.
   Explanation rough = searches.rough(rest, explanation.forms);
-  for (int turn = 0; turn < kMostRounds; ++turn) {
+  for (int turn = 0; turn < kMostTurns; ++turn) {
     Disturbances plainer = find_disturbances(left_by(rest, rough));
     if (!plainer.in_training() || !differ(plainer, seen)) break;
     seen = std::move(plainer);

@@ -15,9 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Of all logs together, three of a short one at least: a stroke's misfit ends in the stretch that
-// it began in, and there are enough of them for a standard error within a sixth.
-constexpr int kStretches = 20, kLeastOfALog = 3;
+constexpr int kLeastOfALog = 3;  // however short it is
 
 /// Of a training log how many stretches, and how many there are before it.
 struct LogStretches {

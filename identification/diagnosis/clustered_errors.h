@@ -8,6 +8,11 @@
 
 namespace sinew::diagnosis {
 
+/// Stretches of time, of all logs together, in each of which what is left over may be anything: a
+/// stroke's misfit ends in the stretch that it began in, and there are enough of them for a
+/// standard error within a sixth.
+inline constexpr int kStretches = 20;
+
 /// Covariance of least-squares coefficients by the scores of stretches of a log's time, in which
 /// what is left over may have any correlation, all channels together (Liang and Zeger), each
 /// corrected for what the fit has taken of it (Bell and McCaffrey's CR2). What is left over may

@@ -12,6 +12,7 @@
 
 #include "identification/logs/filter.h"
 #include "identification/logs/signal_relations.h"
+#include "identification/subjects/slow_recording.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -21,7 +22,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index kMostPoints = 4000;
 constexpr double kCutoff = 10.0;  // Hz
 // A model that lacks a payload or friction fits worse than the second, one that reads the right
 // columns better; with a wrong column it fits by a multiple worse.

@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index most_points = 4000, fewest_rows = 200;
+constexpr Index fewest_rows = 200;
 constexpr double highest_cutoff = 10.0;  // Hz
 
 }  // namespace
@@ -26,7 +26,7 @@ Recording slow_recording(const Recording& recording) {
   const Index rows = recording.q.rows() - 2 * end;
   if (rows < fewest_rows) return slow;
   const double cutoff = std::min(highest_cutoff, 0.1 / recording.step);
-  const Index stride = std::max<Index>(1, rows / most_points), count = (rows - 1) / stride + 1;
+  const Index stride = std::max<Index>(1, rows / kMostPoints), count = (rows - 1) / stride + 1;
   const auto thinned = [&](const MatrixXd& x) -> MatrixXd {
     return x(Eigen::seqN(end, count, stride), Eigen::all);
   };

@@ -6,8 +6,11 @@
 
 namespace sinew::diagnosis {
 
-/// Motion, targets, loads, payloads and tensions below 10 Hz, at most some 4000 samples, away from
-/// the ends. Moment arms go along. q is empty where too little is left.
+/// Samples at which columns are told apart.
+inline constexpr Eigen::Index kMostPoints = 4000;
+
+/// Motion, targets, loads, payloads and tensions below 10 Hz, at most some kMostPoints samples,
+/// away from the ends. Moment arms go along. q is empty where too little is left.
 Recording slow_recording(const Recording& recording);
 
 /// Share of the measured effort's square that the model leaves over, offset and all: 0 perfect, 1

@@ -23,10 +23,6 @@ using Eigen::VectorXd;
 /// Hz. A sensor's noise is in the joints' torques too: a term with all of it would find itself.
 constexpr double slow_force_cutoff = 5.0;
 
-/// Standard deviation of a pulley's radius, of a guide's place as a share of the moment arm, and of
-/// a force sensor's scale, before any log was seen: as of what else a drawing says.
-constexpr double kDrawnArm = 0.2;
-
 /// Of the secants: a tendon's arm that much larger.
 constexpr double kFarArm = 0.2;
 

@@ -15,6 +15,10 @@
 
 namespace sinew::diagnosis {
 
+/// Standard deviation of a pulley's radius, of a guide's place as a share of the moment arm, and of
+/// a force sensor's scale, before any log was seen: as of what else a drawing says.
+inline constexpr double kDrawnArm = 0.2;
+
 class TendonColumns {
  public:
   /// `runtime`: folder of the runtime's headers. For a model whose joints tendons drive.
