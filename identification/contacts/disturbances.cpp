@@ -32,13 +32,10 @@ Index cell_length(const LeftOver& r) {
       2, static_cast<Index>(std::lround(r.rate_hz * std::max(kCell, kPeriods / r.band_hz))));
 }
 
-/// Whether a joint moves all through a cell and as far around it as the filter reaches: elsewhere
-/// friction that holds it may be in what is left over.
+/// Whether a joint moves all through a cell: elsewhere friction that holds it may be in what is
+/// left over.
 bool moves(const LeftOver& r, int channel, Index first, Index length) {
-  const auto reach = static_cast<Index>(std::ceil(r.reach * r.rate_hz));
-  const Index from = std::max<Index>(0, first - reach),
-              to = std::min(r.time.size(), first + length + reach);
-  return (r.counts.col(channel).segment(from, to - from).array() == 1.0).all();
+  return (r.counts.col(channel).segment(first, length).array() == 1.0).all();
 }
 
 double rms_in(const MatrixXd& x, int channel, Index first, Index length) {

@@ -28,20 +28,32 @@ BlockLosses held_out_losses(const Design& design, const Settings& settings, cons
   return held_out(design, model, solve(stack(model, weights)), settings.blocks);
 }
 
+/// Of each channel, for how long its joint moves [s].
+VectorXd time_of_motion(const Design& design, bool held_out) {
+  VectorXd time = VectorXd::Zero(design.problem().channels);
+  for (std::size_t i = 0; i < design.segments().size(); ++i) {
+    const Segment& segment = design.segments()[i];
+    if (segment.holdout != held_out) continue;
+    time(segment.channel) += design.window(static_cast<int>(i)).squaredNorm() / segment.rate_hz;
+  }
+  return time;
+}
+
 /// Where the held-out logs leave most over, beside what the training logs do.
 Disagreement most_excess(const Design& design, const Settings& settings, const Selection& after) {
+  constexpr double kLeast = 0.5;  // s: less motion of a joint judges nothing
   Disagreement most;
-  const auto mean = [](const BlockLosses& losses) {
-    return VectorXd(losses.plain.colwise().sum().transpose() / losses.samples.sum());
-  };
   const BlockLosses held = held_out_losses(design, settings, after.model, after.noise.weights);
   if (held.plain.size() == 0 || held.samples.sum() <= 0.0) return most;
-  const VectorXd there = mean(held);
-  const VectorXd here =
-      mean(cross_validate(design, after.model, after.noise.weights, settings.blocks));
+  const VectorXd there = held.plain.colwise().sum(), moves_there = time_of_motion(design, true);
+  const VectorXd here = cross_validate(design, after.model, after.noise.weights, settings.blocks)
+                            .plain.colwise()
+                            .sum();
+  const VectorXd moves_here = time_of_motion(design, false);
   for (int c = 0; c < design.problem().channels; ++c) {
-    const double ratio = std::sqrt(there(c) / std::max(here(c), 1e-300));
-    if (here(c) <= 0.0 || ratio <= most.ratio) continue;
+    if (here(c) <= 0.0 || std::min(moves_here(c), moves_there(c)) < kLeast) continue;
+    const double ratio = std::sqrt(there(c) / moves_there(c) * moves_here(c) / here(c));
+    if (ratio <= most.ratio) continue;
     most.channel = c;
     most.ratio = ratio;
   }

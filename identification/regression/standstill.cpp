@@ -10,7 +10,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using Flags = Eigen::ArrayX<bool>;
 
 constexpr double kStill = 5e-4;      // of the largest speed
 constexpr double kUnderWay = 1e-2;   // of the largest speed
@@ -19,7 +18,7 @@ constexpr double kLongestWay = 0.1;  // s; after that slow motion is motion
 constexpr double kSmoothing = 1.2;  // periods of the smoother's cutoff that it reaches to each side
 constexpr double kReversal = 0.36;  // periods that one of 60 Hz spreads a reversal over
 constexpr double kFlank = 0.02;     // s
-constexpr double kMost = 0.7;       // of a log
+constexpr double kMost = 0.7;       // of a log: reversals beyond it stay
 
 /// From the end of rest to where the joint is under way: in samples, forwards or backwards.
 Index way_out(const VectorXd& speed, Index at, Index direction, Index longest, double fast) {
@@ -65,7 +64,7 @@ Flags resting(const VectorXd& velocity, double step, double cutoff, double still
   Flags rest = Flags::Constant(speed.size(), false);
   for (Index k = 0; k < speed.size();) {
     Index end = k;
-    while (end < speed.size() && speed(end) < slow) ++end;
+    while (end < speed.size() && speed(end) <= slow) ++end;
     if (end - k >= shortest) {
       const double fast = std::max(kUnderWay * fastest, still);
       const Index before = smoothing + way_out(speed, k, -1, longest, fast);
@@ -76,10 +75,6 @@ Flags resting(const VectorXd& velocity, double step, double cutoff, double still
     k = end + 1;
   }
   return rest;
-}
-
-bool too_many(const Flags& flags) {
-  return static_cast<double>(flags.count()) > kMost * static_cast<double>(flags.size());
 }
 
 std::vector<Standstill> stretches(const Flags& flags, const VectorXd& time) {
@@ -94,25 +89,24 @@ std::vector<Standstill> stretches(const Flags& flags, const VectorXd& time) {
 
 }  // namespace
 
-std::vector<Standstill> find_standstills(const VectorXd& time,
-                                         const std::vector<VectorXd>& velocities, double cutoff,
-                                         double still) {
-  if (time.size() < 2) return {};
-  const double step = (time(time.size() - 1) - time(0)) / static_cast<double>(time.size() - 1);
-  Flags rest = Flags::Constant(time.size(), false);
-  for (const VectorXd& velocity : velocities) rest = rest || resting(velocity, step, cutoff, still);
-  const Flags all = rest || reversing(velocities.front(), step, cutoff);
-  if (!too_many(all)) return stretches(all, time);
-  return too_many(rest) ? std::vector<Standstill>{} : stretches(rest, time);
+Stillness find_stillness(const std::vector<VectorXd>& velocities, double step, double cutoff,
+                         double still) {
+  Stillness found{Flags::Constant(velocities.front().size(), false),
+                  reversing(velocities.front(), step, cutoff)};
+  for (const VectorXd& velocity : velocities)
+    found.rests = found.rests || resting(velocity, step, cutoff, still);
+  return found;
 }
 
-std::vector<Standstill> united(const std::vector<Standstill>& first,
-                               const std::vector<Standstill>& second, const VectorXd& time) {
-  Flags flags = Flags::Constant(time.size(), false);
-  for (const auto* list : {&first, &second})
-    for (const Standstill& s : *list)
-      flags = flags || (time.array() >= s.from && time.array() <= s.to);
-  return too_many(flags) ? first : stretches(flags, time);
+std::vector<Standstill> find_standstills(const std::vector<Stillness>& parts,
+                                         const VectorXd& time) {
+  Flags still = Flags::Constant(time.size(), false);
+  for (const Stillness& part : parts) still = still || part.rests;
+  for (const Stillness& part : parts) {
+    const Flags with = still || part.reversals;
+    if (static_cast<double>(with.count()) <= kMost * static_cast<double>(with.size())) still = with;
+  }
+  return stretches(still, time);
 }
 
 VectorXd motion_window(const std::vector<Standstill>& stretches, const VectorXd& time) {

@@ -10,19 +10,25 @@
 
 namespace sinew::diagnosis {
 
-/// Stretches of a log [s] in which a joint does not move. It rests, with the way into and out of
-/// it, where one of its velocities, differently smoothed and as long as `time`, is next to zero for
-/// longer than any reversal takes. It reverses where the first of them changes sign: over the time
-/// that its smoother, which passes what is below `cutoff` [Hz], spreads it. Reversals are left out,
-/// and then the rests, where next to nothing would be left of the log. still: speed that is rest
-/// even where the joint was never fast.
-std::vector<Standstill> find_standstills(const Eigen::VectorXd& time,
-                                         const std::vector<Eigen::VectorXd>& velocities,
-                                         double cutoff, double still = 0.0);
+using Flags = Eigen::ArrayX<bool>;  ///< one of each sample
 
-/// Both together; the first ones alone, where next to nothing would be left of the log.
-std::vector<Standstill> united(const std::vector<Standstill>& first,
-                               const std::vector<Standstill>& second, const Eigen::VectorXd& time);
+/// When a joint, or a tendon in its guide, does not move.
+struct Stillness {
+  Flags rests, reversals;
+};
+
+/// It rests, with the way into and out of it, where one of its velocities, differently smoothed and
+/// `step` [s] apart, is next to zero for longer than any reversal takes. It reverses where the
+/// first of them changes sign: over the time that its smoother, which passes what is below `cutoff`
+/// [Hz], spreads it. still: speed that is rest even where it was never fast.
+Stillness find_stillness(const std::vector<Eigen::VectorXd>& velocities, double step, double cutoff,
+                         double still = 0.0);
+
+/// Stretches of a log, with its times [s], in which one of the parts that act on a joint does not
+/// move: the joint itself comes first. What would leave no motion is not counted, nor are reversals
+/// that would leave little of the log.
+std::vector<Standstill> find_standstills(const std::vector<Stillness>& parts,
+                                         const Eigen::VectorXd& time);
 
 /// 1 in motion, 0 at standstill, with smooth flanks between, at the times [s].
 Eigen::VectorXd motion_window(const std::vector<Standstill>& stretches,

@@ -19,6 +19,16 @@ using Eigen::VectorXd;
 // would be a spring's.
 constexpr double kLengthsOfReach[] = {1e-5, 1e-4, 1e-3, 1e-2};
 
+/// Root mean square of what is measured at a joint.
+double rms_of_target(const std::vector<Recording>& logs, std::size_t joint) {
+  double sum = 0.0, count = 0.0;
+  for (const Recording& log : logs) {
+    sum += log.target[joint].squaredNorm();
+    count += static_cast<double>(log.target[joint].size());
+  }
+  return std::sqrt(sum / std::max(count, 1.0));
+}
+
 }  // namespace
 
 /// What acts on several joints at once.
@@ -116,10 +126,13 @@ void DrivenSubject::add_turning(std::size_t joint) {
   c.channels = {axis};
   c.nuisance = true;
   std::vector<double> lengths;
+  // Friction is not expected to be more than what is measured at the joint.
+  const double level = rms_of_target(problem_.training, joint);
   for (const double share : kLengthsOfReach) {
     lengths.push_back(share * (s.high - s.low));
     LinearParameter p;
     p.name = "level_" + std::to_string(lengths.size());
+    p.spread = level;
     c.linear.push_back(std::move(p));
   }
   c.columns = [regressor = Regressor(find_effect(bristle ? "presliding" : "late_reversal")), axis,

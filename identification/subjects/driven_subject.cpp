@@ -200,18 +200,16 @@ void DrivenSubject::expect_motion(Recording& log) const {
 /// at each joint that its tendon passes.
 void DrivenSubject::add_standstills(Recording& log) const {
   const double cutoff = motion_cutoff(log.step);
-  for (Index c = 0; c < log.q.cols(); ++c)
-    log.standstills.push_back(
-        find_standstills(log.time, {log.qd.col(c), log.signals["smooth_qd"].col(c)}, cutoff));
-  if (!tendons_) return;
-  const Index n = tendons_->coordinates();
-  const std::vector<std::vector<Standstill>> at_tendons = tendons_->standstills(log, cutoff);
-  for (Index j = 0; j < n; ++j)
-    for (std::size_t t = 0; t < at_tendons.size(); ++t) {
-      std::vector<Standstill>& all = log.standstills[static_cast<std::size_t>(j)];
+  const auto at_tendons = tendons_ ? tendons_->stillness(log, cutoff) : std::vector<Stillness>{};
+  const Index n = tendons_ ? tendons_->coordinates() : 0;
+  for (Index j = 0; j < log.q.cols(); ++j) {
+    std::vector<Stillness> parts = {
+        find_stillness({log.qd.col(j), log.signals["smooth_qd"].col(j)}, log.step, cutoff)};
+    for (std::size_t t = 0; j < n && t < at_tendons.size(); ++t)
       if (!log.signals.at("moment_arm").col(static_cast<Index>(t) * n + j).isZero(0.0))
-        all = united(all, at_tendons[t], log.time);
-    }
+        parts.push_back(at_tendons[t]);
+    log.standstills.push_back(find_standstills(parts, log.time));
+  }
 }
 
 /// What the model says.

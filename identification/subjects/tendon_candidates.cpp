@@ -162,17 +162,16 @@ void TendonColumns::add_agreeing_tension(Recording& log) const {
   log.signals["tension_within_guide"] = std::move(within);
 }
 
-std::vector<std::vector<Standstill>> TendonColumns::standstills(const Recording& log,
-                                                                double cutoff) const {
+std::vector<Stillness> TendonColumns::stillness(const Recording& log, double cutoff) const {
   constexpr double kSlips = 3.0;  // times the speed over which friction turns: 95 % of its level
   const MatrixXd& arms = log.signals.at("moment_arm");
   const MatrixXd smooth = log.signals.at("smooth_qd").leftCols(coordinates_);
-  std::vector<std::vector<Standstill>> all;
+  std::vector<Stillness> all;
   for (Index t = 0; t < static_cast<Index>(names_.size()); ++t) {
     const VectorXd rate =
         arms.middleCols(t * coordinates_, coordinates_).cwiseProduct(smooth).rowwise().sum();
-    all.push_back(find_standstills(log.time, {log.signals.at("tendon_rate").col(t), rate}, cutoff,
-                                   kSlips * slip_speed_));
+    all.push_back(find_stillness({log.signals.at("tendon_rate").col(t), rate}, log.step, cutoff,
+                                 kSlips * slip_speed_));
   }
   return all;
 }

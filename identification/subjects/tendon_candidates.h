@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "identification/regression/candidate.h"
+#include "identification/regression/standstill.h"
 #include "simulation/emitted/compiled_model.h"
 #include "symbolic/effects/effect.h"
 #include "symbolic/extension/driven_model.h"
@@ -37,7 +38,7 @@ class TendonColumns {
   void add_agreeing_tension(Recording& log) const;
 
   /// Of each tendon, where it does not move in its guide. `cutoff` [Hz]: the smoother's.
-  std::vector<std::vector<Standstill>> standstills(const Recording& log, double cutoff) const;
+  std::vector<Stillness> stillness(const Recording& log, double cutoff) const;
 
   /// samples x coordinates: -P^T f, the joint torques of the measured forces (5.11).
   Eigen::MatrixXd joint_torque(const Recording& log) const;

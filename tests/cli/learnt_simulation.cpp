@@ -286,7 +286,7 @@ namespace {
 
 /// Every motor of the hand to and fro, each at its own frequency.
 std::string hand_scenario(double phase) {
-  std::string text = times(1.5, 400) + R"([integrator]
+  std::string text = times(4, 400) + R"([integrator]
 relative_tolerance = { value = 1e-6, unit = "1" }
 absolute_tolerance = { value = 1e-8, unit = "1" }
 [drive]

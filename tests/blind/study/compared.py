@@ -4,7 +4,7 @@ import math
 
 STILL, UNDER_WAY = 5e-4, 1e-2  # of the largest speed
 SHORTEST, LONGEST_WAY, FLANK = 0.04, 0.1, 0.02  # s
-MOST = 0.7  # of a log
+MOST = 0.7  # of a log: reversals beyond it stay
 
 
 def way_out(speed, at, direction, longest, fast):
@@ -37,7 +37,7 @@ def resting(velocity, step, cutoff, still):
     k = 0
     while k < len(speed):
         end = k
-        while end < len(speed) and speed[end] < max(STILL * fastest, still):
+        while end < len(speed) and speed[end] <= max(STILL * fastest, still):
             end += 1
         if end - k >= math.ceil(SHORTEST / step):
             fast = max(UNDER_WAY * fastest, still)
@@ -58,22 +58,25 @@ def stretches(flags):
     return found
 
 
-def standstills(velocities, step, cutoff, still=0.0):
-    """Stretches of samples [from, to] that count for nothing; the first velocity's reversals are among them."""
-    rest = [any(flags) for flags in zip(*(resting(v, step, cutoff, still) for v in velocities))]
-    both = [a or b for a, b in zip(rest, reversing(velocities[0], step, cutoff))]
-    for flags in (both, rest):
-        if sum(flags) <= MOST * len(flags):
-            return stretches(flags)
-    return []
+def either(one, other):
+    return [a or b for a, b in zip(one, other)]
 
 
-def united(first, second, count):
-    """Both, unless they are too much of a log of so many samples; then the first alone."""
-    flags = [False] * count
-    for start, end in first + second:
-        flags[start:end + 1] = [True] * (end + 1 - start)
-    return stretches(flags) if sum(flags) <= MOST * count else first
+def stillness(velocities, step, cutoff, still=0.0):
+    """Flags of rests in any of the velocities, and of reversals in the first."""
+    rests = [any(flags) for flags in zip(*(resting(v, step, cutoff, still) for v in velocities))]
+    return rests, reversing(velocities[0], step, cutoff)
+
+
+def standstills(parts):
+    """Stretches of samples [from, to] that count for nothing: all rests of the parts that act on a joint, and the
+    reversals of each, unless they are too much of the log."""
+    still = [any(flags) for flags in zip(*(rests for rests, _ in parts))]
+    for _, reversals in parts:
+        both = either(still, reversals)
+        if sum(both) <= MOST * len(both):
+            still = both
+    return stretches(still)
 
 
 def weights(still, instants, step):

@@ -144,14 +144,14 @@ class Played:
 
     def standstills(self, cutoff):
         """Of each channel: its own, and where a tendon that passes the joint rests in its guide."""
-        still = [compared.standstills([v, self.slow[1][j]], self.step, cutoff) for j, v in enumerate(self.v)]
+        parts = [[compared.stillness([v, self.slow[1][j]], self.step, cutoff)] for j, v in enumerate(self.v)]
         for arms in self.arms:
             rates = [moved(arms, speeds) for speeds in (self.v, self.slow[1])]
-            rests = compared.standstills(rates, self.step, cutoff, IN_GUIDE)
-            for j, arm in enumerate(arms):
+            in_guide = compared.stillness(rates, self.step, cutoff, IN_GUIDE)
+            for part, arm in zip(parts, arms):
                 if any(arm):
-                    still[j] = compared.united(still[j], rests, len(arm))
-        return still
+                    part.append(in_guide)
+        return [compared.standstills(part) for part in parts]
 
     def residuals(self, c, bands, counted):
         """A list a channel. bands: Hz; counted: share of the samples that count, 1 where rests do, too."""

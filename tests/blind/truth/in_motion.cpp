@@ -9,7 +9,7 @@ namespace {
 
 constexpr double still = 5e-4, under_way = 1e-2;                    // of the top speed
 constexpr double shortest = 0.04, longest_way = 0.1, flank = 0.02;  // s
-constexpr double most = 0.7;                                        // of a log
+constexpr double most = 0.7;  // of a log: reversals beyond it stay
 
 class Marks {
  public:
@@ -34,7 +34,7 @@ class Marks {
     const double resting = still / under_way * slow_;
     const auto reach = static_cast<Index>(std::ceil(1.2 / (cutoff_ * step_)));
     for (Index k = 0, end = 0; k < v_.size(); k = end + 1) {
-      for (end = k; end < v_.size() && std::abs(v_(end)) < resting;) ++end;
+      for (end = k; end < v_.size() && std::abs(v_(end)) <= resting;) ++end;
       if (end - k >= static_cast<Index>(std::ceil(shortest / step_)))
         mark(k - reach - way(k, -1), end + reach + way(end - 1, 1), marks);
     }
@@ -82,8 +82,7 @@ Rests rests_of(const VectorXd& fast, const VectorXd& slow, double step, double c
   if (slow.size() > 0) Marks(slow, step, cutoff).rests(rest);
   std::vector<char> all = rest;
   Marks(fast, step, cutoff).reversals(all);
-  if (!too_many(all)) return stretches(all);
-  return too_many(rest) ? Rests{} : stretches(rest);
+  return stretches(too_many(all) ? rest : all);
 }
 
 VectorXd weight_of(const Rests& rests, Index rows, double step) {

@@ -13,8 +13,8 @@ namespace sinew::trials {
 /// First and last sample of each stretch that does not count.
 using Rests = std::vector<std::pair<Index, Index>>;
 
-/// `fast`: velocity behind the smoother of `cutoff` [Hz], whose reversals are taken out; `slow`:
-/// behind a slower one, or empty. None where next to nothing would be left of the log.
+/// `fast`: velocity behind the smoother of `cutoff` [Hz], whose reversals are taken out where they
+/// leave enough of the log; `slow`: behind a slower one, or empty.
 Rests rests_of(const VectorXd& fast, const VectorXd& slow, double step, double cutoff);
 
 /// 1 in motion, 0 at rest, flanks of 20 ms between.
