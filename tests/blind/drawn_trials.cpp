@@ -435,3 +435,26 @@ TEST_CASE("MuJoCo's mechanics ask for the efforts that ours do") {
   }
   CHECK(loaded > 0);
 }
+
+TEST_CASE("a fault that no channel can show is none to be found") {
+  // Planted defect: all faults reachable: a wrist's clock, which its model does not read.
+  const sinew::reference::TemporaryFolder place;
+  std::map<std::string, int> of_clock, shown;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    for (const char* plant : {"wrist", "drive"}) {
+      TrialRequest request;
+      request.plant = plant;
+      request.family = "fault";
+      request.seed = seed;
+      const json seal = seal_of(request, place.path());
+      const json& excess = seal["fault"]["excess"];
+      REQUIRE(seal["reachable"].get<bool>() == (excess.is_null() || excess.get<double>() >= 1.0));
+      if (seal["fault"]["fault"] != "clock") continue;
+      ++of_clock[plant];
+      shown[plant] += seal["reachable"].get<bool>() ? 1 : 0;
+    }
+  CHECK(of_clock["wrist"] > 0);
+  CHECK(shown["wrist"] == 0);
+  CHECK(of_clock["drive"] > 0);
+  CHECK(shown["drive"] == of_clock["drive"]);
+}

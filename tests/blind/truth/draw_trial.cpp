@@ -345,6 +345,21 @@ Drawn drawn_trial(const TrialRequest& request) {
   return drawn;
 }
 
+/// What a fault of a log adds to what the model leaves over, as a cause's size is told: a clock
+/// shows in nothing where a model has no time.
+Size size_of_fault(const TrialPlant& plant, const Log& perfect, const Log& good,
+                   const Log& faulty) {
+  const auto ideal = plant.left_over(perfect), noisy = plant.left_over(good),
+             spoilt = plant.left_over(faulty);
+  const auto fitted = plant.fitted(perfect, fits_turning);
+  const auto moving = plant.moving(perfect);
+  const auto bands = plant.bands(perfect, good);
+  std::vector<Channel> channels;
+  for (std::size_t c = 0; c < ideal.size(); ++c)
+    channels.push_back({spoilt[c] - noisy[c], noisy[c] - ideal[c], moving[c], fitted[c], bands[c]});
+  return size_of(channels, perfect.step);
+}
+
 }  // namespace
 
 std::string draw_trial(const TrialRequest& request, const std::filesystem::path& folder) {
@@ -363,7 +378,15 @@ std::string draw_trial(const TrialRequest& request, const std::filesystem::path&
       seal["bands_hz"] = drawn.plant->bands(perfect, log);
       seal["channels"] = log.names;
     }
-    if (number == 0 && request.family == "fault") seal["fault"] = spoil_log(log, drawn.faulty);
+    if (number == 0 && request.family == "fault") {
+      const Log good = log;
+      seal["fault"] = spoil_log(log, drawn.faulty);
+      // Not a number where a mechanism does not reach what is read.
+      const double excess = size_of_fault(*drawn.plant, perfect, good, log).excess;
+      seal["fault"]["excess"] = excess;
+      seal["reachable"] = !(excess < 1.0);
+      if (!seal["reachable"].get<bool>()) return seal.dump();
+    }
     const std::string file = number == 0   ? "train.csv"
                              : number == 1 ? "holdout.csv"
                                            : fmt::format("train{}.csv", number);
