@@ -89,6 +89,23 @@ FitInTime::FitInTime(const Design& design, const Model& model) {
     r.counts.col(s.channel) = design.motion_window_of(segment);
     place_.emplace_back(recordings_.size() - 1, s.channel);
   }
+  expect_no_more_than_measured();
+}
+
+void FitInTime::expect_no_more_than_measured() {
+  const VectorXd measured = measured_rms().cwiseMax(1e-300);
+  const std::vector<Index> first = first_columns(model_);
+  expected_ = VectorXd::Zero(first.back());
+  for (std::size_t t = 0; t < model_.terms.size(); ++t)
+    for (std::size_t i = 0; i < place_.size(); ++i) {
+      const MatrixXd& columns = model_.terms[t].columns[i];
+      if (columns.cols() == 0) continue;
+      const double most = std::pow(measured(place_[i].second), 2);
+      const VectorXd made =
+          columns.colwise().squaredNorm() / static_cast<double>(columns.rows()) / most;
+      auto own = expected_.segment(first[t], columns.cols());
+      own = own.cwiseMax(made);
+    }
 }
 
 VectorXd FitInTime::measured_rms() const {
@@ -114,7 +131,9 @@ std::vector<LeftOver> FitInTime::operator()(const std::vector<SetAside>& aside,
   }
   std::vector<int> channels;
   for (const auto& [recording, channel] : place_) channels.push_back(channel);
-  const VectorXd coefficients = channelwise_coefficients(stack(model_, weights), channels);
+  Stack rows = stack(model_, weights);
+  rows.prior += expected_;
+  const VectorXd coefficients = channelwise_coefficients(rows, channels);
   std::vector<const BandColumns*> columns;
   for (const Term& term : model_.terms) columns.push_back(&term.columns.get());
   VectorXd of_causes = coefficients, turning = coefficients;

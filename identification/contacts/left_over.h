@@ -52,9 +52,14 @@ class FitInTime {
                                    const Eigen::VectorXd& sizes) const;
 
  private:
+  /// No term is expected to make more than what is measured of a channel: what few samples tell of
+  /// it could be anything in another log.
+  void expect_no_more_than_measured();
+
   std::vector<LeftOver> recordings_;                ///< nothing taken off yet
   std::vector<std::pair<std::size_t, int>> place_;  ///< of each segment: recording and channel
-  Model model_;  ///< its rows are samples in time, not in the band
+  Model model_;               ///< its rows are samples in time, not in the band
+  Eigen::VectorXd expected_;  ///< of each coefficient, 1 / spread^2
 };
 
 }  // namespace sinew::diagnosis
