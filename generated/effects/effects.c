@@ -319,6 +319,24 @@ void effects_guiding_presliding(const double signals[SINEW_AT_LEAST(11)],
     next[0] = t3;
 }
 
+void effects_guide_drag(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)])
+{
+    columns[0] = signals[6] * (signals[0] + shape[0]);
+}
+
+void effects_guide_drag_presliding(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(1)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)])
+{
+    const double t1 = signals[1] * signals[7] / shape[1];
+    const double t2 = sinew_one_exp(-sinew_abs(t1));
+    const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[0]) * t2, -(1.0 - (1.0 + memory[0])
+        * t2));
+    columns[0] = (signals[0] + shape[0]) * t3;
+    next[0] = t3;
+}
+
 void effects_force_sensor_scale(const double signals[SINEW_AT_LEAST(11)],
     double columns[SINEW_AT_LEAST(1)])
 {

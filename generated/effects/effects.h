@@ -319,6 +319,29 @@ void effects_guiding_presliding(const double signals[SINEW_AT_LEAST(11)],
     const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(1)],
     double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
 
+/* Terms of the effect 'guiding friction', to be multiplied by its coefficients.
+ *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
+ *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
+ *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
+ *   in  shape         1 [SI] bending_elsewhere; made for 0.003..30
+ *   out columns       1 [SI] friction_force
+ * 1 multiplications, 1 additions. */
+void effects_guide_drag(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(1)], double columns[SINEW_AT_LEAST(1)]);
+
+/* Terms of the effect 'guiding friction', to be multiplied by its coefficients.
+ *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
+ *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
+ *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
+ *   in  shape         2 [SI] bending_elsewhere, presliding_length; made for 0.003..30, 3e-06..0.001
+ *   in  memory        1 [1] before this sample; made for -1..1
+ *   out columns       1 [SI] friction_force
+ *   out next          1 [1] states for the next sample
+ * 4 multiplications, 5 additions, 1 divisions, 3 other functions. */
+void effects_guide_drag_presliding(const double signals[SINEW_AT_LEAST(11)],
+    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(1)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(1)]);
+
 /* Terms of the effect 'scale of the force sensor', to be multiplied by its coefficients.
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,

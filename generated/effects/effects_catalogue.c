@@ -581,6 +581,50 @@ static const sinew_argument guiding_presliding_outputs[] = {
     {"next", "1", 1, 1, 0, 0},
 };
 
+static void call_guide_drag(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_guide_drag(x + 0, x + 11, y + 0);
+}
+static const double guide_drag_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0, -1.0,
+    1e-04, -50.0, 0.001, -10000.0};
+static const double guide_drag_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0, 1.0, 0.01,
+    50.0, 10.0, 10000.0};
+static const double guide_drag_shape_low[] = {0.003};
+static const double guide_drag_shape_high[] = {30.0};
+static const sinew_argument guide_drag_inputs[] = {
+    {"signals", "SI", 11, 1, guide_drag_signals_low, guide_drag_signals_high},
+    {"shape", "SI", 1, 1, guide_drag_shape_low, guide_drag_shape_high},
+};
+static const sinew_argument guide_drag_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+};
+
+static void call_guide_drag_presliding(const void *in, void *out)
+{
+    const double *x = (const double *)in;
+    double *y = (double *)out;
+    effects_guide_drag_presliding(x + 0, x + 11, x + 13, y + 0, y + 1);
+}
+static const double guide_drag_presliding_signals_low[] = {-3.0, -5.0, -50.0, -10000.0, -10.0, 0.0,
+    -1.0, 1e-04, -50.0, 0.001, -10000.0};
+static const double guide_drag_presliding_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.0, 100.0,
+    1.0, 0.01, 50.0, 10.0, 10000.0};
+static const double guide_drag_presliding_shape_low[] = {0.003, 3e-06};
+static const double guide_drag_presliding_shape_high[] = {30.0, 0.001};
+static const double guide_drag_presliding_memory_low[] = {-1.0};
+static const double guide_drag_presliding_memory_high[] = {1.0};
+static const sinew_argument guide_drag_presliding_inputs[] = {
+    {"signals", "SI", 11, 1, guide_drag_presliding_signals_low, guide_drag_presliding_signals_high},
+    {"shape", "SI", 2, 1, guide_drag_presliding_shape_low, guide_drag_presliding_shape_high},
+    {"memory", "1", 1, 1, guide_drag_presliding_memory_low, guide_drag_presliding_memory_high},
+};
+static const sinew_argument guide_drag_presliding_outputs[] = {
+    {"columns", "SI", 1, 1, 0, 0},
+    {"next", "1", 1, 1, 0, 0},
+};
+
 static void call_force_sensor_scale(const void *in, void *out)
 {
     const double *x = (const double *)in;
@@ -771,6 +815,9 @@ static const sinew_function functions[] = {
         motor_side_guiding_outputs, call_motor_side_guiding},
     {"effects_guiding_presliding", 3, 2, 14, 2, guiding_presliding_inputs,
         guiding_presliding_outputs, call_guiding_presliding},
+    {"effects_guide_drag", 2, 1, 12, 1, guide_drag_inputs, guide_drag_outputs, call_guide_drag},
+    {"effects_guide_drag_presliding", 3, 2, 14, 2, guide_drag_presliding_inputs,
+        guide_drag_presliding_outputs, call_guide_drag_presliding},
     {"effects_force_sensor_scale", 1, 1, 11, 1, force_sensor_scale_inputs,
         force_sensor_scale_outputs, call_force_sensor_scale},
     {"effects_force_sensor_offset", 1, 1, 11, 1, force_sensor_offset_inputs,
@@ -787,4 +834,4 @@ static const sinew_function functions[] = {
 };
 
 const sinew_catalogue effects_catalogue = {"effects",
-    "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 36, functions};
+    "69c538edcbf3bf2f45779b1c8a2551790ff791915ec1f60e5b93999b2315532f", 8, 38, functions};

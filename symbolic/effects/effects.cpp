@@ -36,6 +36,8 @@ const std::vector<Effect>& effects() {
       guiding_friction(),
       motor_side_guiding(),
       guiding_presliding(),
+      guide_drag(),
+      guide_drag_presliding(),
       force_sensor_scale(),
       force_sensor_offset(),
       tendon_radius(),

@@ -37,6 +37,8 @@ Effect link_backlash();
 Effect guiding_friction();
 Effect motor_side_guiding();
 Effect guiding_presliding();
+Effect guide_drag();
+Effect guide_drag_presliding();
 Effect force_sensor_scale();
 Effect force_sensor_offset();
 Effect tendon_radius();

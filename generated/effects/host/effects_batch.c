@@ -443,6 +443,32 @@ void effects_guiding_presliding_batch(int count, const double *SINEW_RESTRICT si
     }
 }
 
+void effects_guide_drag_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        columns[state] = signals[6 * n + state] * (signals[state] + shape[state]);
+    }
+}
+
+void effects_guide_drag_presliding_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next)
+{
+    const size_t n = (size_t)count;
+    SINEW_STATES_ARE_INDEPENDENT
+    for (size_t state = 0; state < n; ++state) {
+        const double t1 = signals[1 * n + state] * signals[7 * n + state] / shape[1 * n + state];
+        const double t2 = sinew_exp(-sinew_abs(t1));
+        const double t3 = sinew_choose(t1, 1.0 - (1.0 - memory[state]) * t2, -(1.0 - (1.0
+            + memory[state]) * t2));
+        columns[state] = (signals[state] + shape[state]) * t3;
+        next[state] = t3;
+    }
+}
+
 void effects_force_sensor_scale_batch(int count, const double *SINEW_RESTRICT signals,
     double *SINEW_RESTRICT columns)
 {

@@ -86,6 +86,11 @@ void effects_motor_side_guiding_batch(int count, const double *SINEW_RESTRICT si
 void effects_guiding_presliding_batch(int count, const double *SINEW_RESTRICT signals,
     const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
     double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
+void effects_guide_drag_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, double *SINEW_RESTRICT columns);
+void effects_guide_drag_presliding_batch(int count, const double *SINEW_RESTRICT signals,
+    const double *SINEW_RESTRICT shape, const double *SINEW_RESTRICT memory,
+    double *SINEW_RESTRICT columns, double *SINEW_RESTRICT next);
 void effects_force_sensor_scale_batch(int count, const double *SINEW_RESTRICT signals,
     double *SINEW_RESTRICT columns);
 void effects_force_sensor_offset_batch(int count, const double *SINEW_RESTRICT signals,

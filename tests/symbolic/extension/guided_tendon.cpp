@@ -27,25 +27,27 @@ struct Guided {
     model = tendon_driven_model(read_mechanism(SINEW_SOURCE_DIR "/models/index"), motor);
   }
 
-  Function effort(const char* effect) const {
+  Function effort(const char* effect,
+                  const IdentifiedValue& lost = {"friction_coefficient", 0.1, 0.0, "1"}) const {
     Identified identified;
     if (*effect)
       identified.effects.push_back({effect,
                                     tendon_place(model.tendons.names.front()),
                                     {{"bending_elsewhere", 1.0, 0.0, "rad"}},
-                                    {{"friction_coefficient", 0.1, 0.0, "1"}}});
+                                    {lost}});
     return effort_function(model, identified);
   }
 };
 
-/// All inputs 0 but what is given: joint rates, motor rates, the first tendon's tension.
-std::vector<double> efforts(const Function& function, double joint_rate, double motor_rate) {
+/// All inputs 0 but what is given: joint rates, motor rates, the tendons' tension.
+std::vector<double> efforts(const Function& function, double joint_rate, double motor_rate,
+                            double tension = 20.0) {
   std::vector<double> in;
   for (const Argument& argument : function.inputs)
     for (int i = 0; i < argument.rows * argument.cols; ++i) {
       double value = 0.0;
       if (argument.name == "qd") value = i < 4 ? joint_rate : motor_rate;
-      if (argument.name == "tension") value = 20.0;
+      if (argument.name == "tension") value = tension;
       in.push_back(value);
     }
   return evaluate(function, in);
@@ -96,4 +98,18 @@ TEST_CASE("a guide at a motor that is not in the model is refused") {
   CHECK_THROWS_WITH(finger.effort("motor_side_guiding"),
                     Catch::Contains("needs the motors, which model"));
   CHECK_NOTHROW(finger.effort("guiding_friction"));
+}
+
+TEST_CASE("a sheath that presses by itself takes the same from a tendon at any force") {
+  // Planted defect: the term with the tendon's force in it: twice as much is lost at 40 N.
+  const Guided finger(false);
+  const Function plain = finger.effort("");
+  const auto lost = [&](const Function& f, double tension) {
+    return efforts(f, 1.0, 0.0, tension)[0] - efforts(plain, 1.0, 0.0, tension)[0];
+  };
+  const Function sheath = finger.effort("guide_drag", {"friction_force", 2.0, 0.0, "N/rad"});
+  const Function capstan = finger.effort("guiding_friction");
+  CHECK(lost(capstan, 40.0) == Approx(2.0 * lost(capstan, 20.0)));
+  CHECK(lost(sheath, 40.0) == Approx(lost(sheath, 20.0)));
+  CHECK(lost(sheath, 20.0) == Approx(lost(capstan, 20.0)));  // 0.1 of 20 N
 }
