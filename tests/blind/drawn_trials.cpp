@@ -458,3 +458,20 @@ TEST_CASE("a fault that no channel can show is none to be found") {
   CHECK(of_clock["drive"] > 0);
   CHECK(shown["drive"] == of_clock["drive"]);
 }
+
+TEST_CASE("a dose with which another simulator loses the motion is too large", "[slow][thorough]") {
+  // Planted defect: MuJoCo's start anew taken for the motion, its warning in the seal's place.
+  if (!mujoco_is_there()) return sinew::test::skip("this build has no MuJoCo");
+  const sinew::reference::TemporaryFolder place;
+  TrialRequest request;
+  request.plant = "mujoco_finger";
+  request.family = "outside";
+  request.cause = "handling";
+  request.size = 2.0;
+  request.seed = 145038387461254;
+  fs::remove("MUJOCO_LOG.TXT");
+  const json hidden = seal_of(request, place.path())["hidden"].front();
+  const std::string why = hidden.value("unreachable", "");
+  CHECK(why != "the largest dose is too small");
+  CHECK_FALSE(fs::exists("MUJOCO_LOG.TXT"));
+}

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -59,7 +60,7 @@ class Sizer {
     try {
       course = plant_.course({hidden}, 0);
     } catch (const std::runtime_error&) {
-      return {};  // a dose with which no controller holds the machine has no size
+      return too_large();  // no controller holds the machine with it
     }
     course.command.resize(0, 0);
     const Log with = plant_.replay(course, {hidden}, 0), without = plant_.replay(course, {}, 0);
@@ -74,7 +75,7 @@ class Sizer {
     for (std::size_t c = 0; c < a.size(); ++c) {
       VectorXd added = a[c] - b[c];
       const VectorXd noise = noisy[c] - b[c];
-      if (!added.allFinite()) return {};
+      if (!added.allFinite()) return too_large();
       if (!plant_.shows(hidden, c)) added.setZero();
       channels.push_back({std::move(added), noise, moving[c], fitted[c], bands[c]});
     }
@@ -113,6 +114,10 @@ class Sizer {
   }
 
  private:
+  static Size too_large() {
+    return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), -1};
+  }
+
   const TrialPlant& plant_;
 };
 

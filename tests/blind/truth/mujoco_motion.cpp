@@ -88,6 +88,7 @@ class InMujoco : public Integrator {
   InMujoco(Chain chain, double step) {
     // MuJoCo refuses a negative armature: an inertia that is less stays the model's in the motion.
     for (Link& link : chain.links) link.armature = std::max(link.armature, 0.0);
+    mju_user_warning = [](const char*) {};  // else they stand in the seal and in a file
     model_ = load_text(model_text(chain, step));
     data_.reset(mj_makeData(model_.get()));
   }
@@ -112,6 +113,10 @@ class InMujoco : public Integrator {
   void advance(const VectorXd& effort) override {
     VectorXd::Map(data_->qfrc_applied, effort.size()) = effort;
     mj_step(model_.get(), data_.get());
+    // MuJoCo starts anew where it has lost the motion, and goes on.
+    for (const int lost : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC})
+      if (data_->warning[lost].number > 0)
+        throw std::runtime_error("MuJoCo: the simulation is unstable");
   }
 
  private:
