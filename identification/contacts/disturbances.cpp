@@ -32,10 +32,14 @@ Index cell_length(const LeftOver& r) {
       2, static_cast<Index>(std::lround(r.rate_hz * std::max(kCell, kPeriods / r.band_hz))));
 }
 
-/// Whether a joint moves all through a cell: elsewhere friction that holds it may be in what is
-/// left over.
+/// Whether a joint moves all through a cell and around it, within three quarters of the filter's
+/// reach, beyond which its kernel is about a hundredth: elsewhere friction that holds it may be in
+/// what is left over.
 bool moves(const LeftOver& r, int channel, Index first, Index length) {
-  return (r.counts.col(channel).segment(first, length).array() == 1.0).all();
+  const auto reach = static_cast<Index>(std::ceil(0.75 * r.reach * r.rate_hz));
+  const Index from = std::max<Index>(0, first - reach),
+              to = std::min(r.time.size(), first + length + reach);
+  return (r.counts.col(channel).segment(from, to - from).array() == 1.0).all();
 }
 
 double rms_in(const MatrixXd& x, int channel, Index first, Index length) {
