@@ -32,11 +32,11 @@ Index cell_length(const LeftOver& r) {
       2, static_cast<Index>(std::lround(r.rate_hz * std::max(kCell, kPeriods / r.band_hz))));
 }
 
-/// Whether a joint moves all through a cell and around it, within three quarters of the filter's
-/// reach, beyond which its kernel is about a hundredth: elsewhere friction that holds it may be in
-/// what is left over.
+/// Whether a joint moves all through a cell. A lone joint's friction holds all of its effort at
+/// rest: it moves as far around the cell as the filter reaches, or what held it is left over there.
 bool moves(const LeftOver& r, int channel, Index first, Index length) {
-  const auto reach = static_cast<Index>(std::ceil(0.75 * r.reach * r.rate_hz));
+  const bool lone = r.residual.cols() == 1;
+  const auto reach = lone ? static_cast<Index>(std::ceil(r.reach * r.rate_hz)) : Index{0};
   const Index from = std::max<Index>(0, first - reach),
               to = std::min(r.time.size(), first + length + reach);
   return (r.counts.col(channel).segment(from, to - from).array() == 1.0).all();
