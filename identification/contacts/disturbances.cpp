@@ -222,6 +222,35 @@ bool differ(const Disturbances& one, const Disturbances& other) {
   return static_cast<double>(either - both) > kMuch * static_cast<double>(either);
 }
 
+namespace {
+
+/// What is disturbed in each of several, or in the last if nothing is in all.
+Disturbances in_all(std::vector<Disturbances> several) {
+  Disturbances common = several.back();
+  for (const Disturbances& other : several)
+    for (std::size_t i = 0; i < common.aside.size(); ++i)
+      common.aside[i] = common.aside[i] && other.aside[i];
+  common.list = stretches(common.aside);
+  return common.in_training() ? common : several.back();
+}
+
+}  // namespace
+
+Disturbances settled(Disturbances known,
+                     const std::function<Disturbances(const Disturbances&)>& next) {
+  std::vector<Disturbances> before;
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    Disturbances plainer = next(known);
+    if (!plainer.in_training() || !differ(plainer, known)) return known;
+    before.push_back(std::move(known));
+    const auto again = std::find_if(before.begin(), before.end(),
+                                    [&](const Disturbances& one) { return !differ(plainer, one); });
+    if (again != before.end()) return in_all({again, before.end()});
+    known = std::move(plainer);
+  }
+  return known;
+}
+
 Disturbances find_disturbances(const FitInTime& fit) {
   Disturbances found;
   for (std::size_t i = 0; i < fit.recordings(); ++i)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "identification/contacts/left_over.h"
@@ -48,6 +49,12 @@ Disturbances find_disturbances(const FitInTime& fit);
 
 /// Whether much is disturbed in one that is not in the other, both of the same recordings.
 bool differ(const Disturbances& one, const Disturbances& other);
+
+/// Turns of `next`, which finds what is disturbed by what is left over without what was known to
+/// be, until it finds the same again. Where turns lead around in a circle, what is disturbed in all
+/// of them.
+Disturbances settled(Disturbances known,
+                     const std::function<Disturbances(const Disturbances&)>& next);
 
 /// What another model leaves over of the same disturbances, fitted to the rest of the logs.
 void leave_over(const FitInTime& fit, Disturbances& disturbances);

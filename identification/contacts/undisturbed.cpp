@@ -84,6 +84,11 @@ Disturbances seen_by(const Problem& problem, const Settings& settings, const Mod
   return seen.in_training() ? seen : find_disturbances(whole);
 }
 
+bool same(const std::vector<SetAside>& one, const std::vector<SetAside>& other) {
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                    [](const SetAside& a, const SetAside& b) { return (a == b).all(); });
+}
+
 DrivenSubject without(const DrivenSubject& subject, const Disturbances& seen) {
   DrivenSubject rest = subject;
   rest.leave_out(stretches_in_time(seen));
@@ -103,17 +108,21 @@ std::optional<NamedCause> find_undisturbed(const Searches& searches, const Setti
   Disturbances seen =
       seen_by(problem, settings, with_lines(subject, explanation.selection.model), whole);
   if (!seen.in_training()) return std::nullopt;
-  DrivenSubject rest = without(subject, seen);
+  DrivenSubject rest = subject;
+  Explanation rough;
+  std::vector<SetAside> without_these;  // the rough explanation is found
+  const auto search_without = [&](const Disturbances& known) {
+    rest = without(subject, known);
+    rough = searches.rough(rest, explanation.forms);
+    without_these = known.aside;
+  };
   // With causes that a push has spoilt less it is plainer what is disturbed, in held-out logs too:
   // what is set aside of it at first may be its beginning alone.
-  Explanation rough = searches.rough(rest, explanation.forms);
-  for (int turn = 0; turn < kMostTurns; ++turn) {
-    Disturbances plainer = find_disturbances(left_by(rest, rough));
-    if (!plainer.in_training() || !differ(plainer, seen)) break;
-    seen = std::move(plainer);
-    rest = without(subject, seen);
-    rough = searches.rough(rest, explanation.forms);
-  }
+  seen = settled(std::move(seen), [&](const Disturbances& known) {
+    search_without(known);
+    return find_disturbances(left_by(rest, rough));
+  });
+  if (!same(seen.aside, without_these)) search_without(seen);
   Explanation other = searches.full(rest, rough.forms);
   leave_over(left_by(rest, other), seen);
   std::optional<NamedCause> force =
