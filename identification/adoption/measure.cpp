@@ -8,6 +8,7 @@
 #include <set>
 
 #include "identification/adoption/measure_plots.h"
+#include "identification/diagnosis/verdict_errors.h"
 #include "identification/regression/position_noise.h"
 #include "identification/subjects/effect_candidate.h"
 #include "symbolic/effects/effects.h"
@@ -209,10 +210,9 @@ Gain measured_gain(const std::vector<MeasuredChannel>& measured, int channel, un
 
 std::optional<int> harmed_channel(const std::vector<MeasuredChannel>& measured, int channels,
                                   const Settings& settings) {
-  constexpr double kLeast = 0.5;  // s: less motion of a joint judges nothing
   if (!judged_on_held_out(measured)) return std::nullopt;
   for (int c = 0; c < channels; ++c)
-    if (judged_seconds(measured, c) > kLeast &&
+    if (judged_seconds(measured, c) > kLeastMotion &&
         leaves_more_than(settings.material_share, measured, c) &&
         measured_gain(measured, c, settings.seed).high < 0.0)
       return c;

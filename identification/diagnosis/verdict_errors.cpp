@@ -41,7 +41,6 @@ VectorXd time_of_motion(const Design& design, bool held_out) {
 
 /// Where the held-out logs leave most over, beside what the training logs do.
 Disagreement most_excess(const Design& design, const Settings& settings, const Selection& after) {
-  constexpr double kLeast = 0.5;  // s: less motion of a joint judges nothing
   Disagreement most;
   const BlockLosses held = held_out_losses(design, settings, after.model, after.noise.weights);
   if (held.plain.size() == 0 || held.samples.sum() <= 0.0) return most;
@@ -51,7 +50,7 @@ Disagreement most_excess(const Design& design, const Settings& settings, const S
                             .sum();
   const VectorXd moves_here = time_of_motion(design, false);
   for (int c = 0; c < design.problem().channels; ++c) {
-    if (here(c) <= 0.0 || std::min(moves_here(c), moves_there(c)) < kLeast) continue;
+    if (here(c) <= 0.0 || std::min(moves_here(c), moves_there(c)) < kLeastMotion) continue;
     const double ratio = std::sqrt(there(c) / moves_there(c) * moves_here(c) / here(c));
     if (ratio <= most.ratio) continue;
     most.channel = c;

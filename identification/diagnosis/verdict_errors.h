@@ -7,6 +7,9 @@
 
 namespace sinew::diagnosis {
 
+/// s: less motion of a joint in a log judges nothing.
+inline constexpr double kLeastMotion = 0.5;
+
 /// Root mean square of what a model leaves of each channel in the training logs, all frequencies
 /// alike.
 Eigen::VectorXd left_over(const Design& design, const Model& model);

@@ -25,8 +25,8 @@ Stillness find_stillness(const std::vector<Eigen::VectorXd>& velocities, double 
                          double still = 0.0);
 
 /// Stretches of a log, with its times [s], in which one of the parts that act on a joint does not
-/// move: the joint itself comes first. What would leave no motion is not counted, nor are reversals
-/// that would leave little of the log.
+/// move: the joint itself comes first. Reversals that would leave little of the log are not counted;
+/// rests are, however much of it they are.
 std::vector<Standstill> find_standstills(const std::vector<Stillness>& parts,
                                          const Eigen::VectorXd& time);
 

@@ -15,4 +15,11 @@ GiNaC::ex add_bristle(const GiNaC::ex& length, Effect& effect) {
   return now;
 }
 
+void creep_in_guide(Effect& effect) {
+  const GiNaC::ex length = effect.shape("presliding_length", "m", Scale::none, 3e-6, 1e-3, 4);
+  const GiNaC::ex now = add_bristle(length, effect);
+  for (EffectColumn& column : effect.columns)
+    column.term = column.term.subs(effect_signals().direction == now);
+}
+
 }  // namespace sinew

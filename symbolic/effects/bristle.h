@@ -10,4 +10,8 @@ namespace sinew {
 /// at constant speed, it runs to the direction of motion over `length` [as the place's position].
 GiNaC::ex add_bristle(const GiNaC::ex& length, Effect& effect);
 
+/// A tendon creeps in its guide for a short way behind a reversal before it slips: the effect's
+/// columns follow the bristle in the place of the direction of motion. Its length becomes a shape.
+void creep_in_guide(Effect& effect);
+
 }  // namespace sinew

@@ -8,10 +8,7 @@ namespace sinew {
 Effect guide_drag_presliding() {
   Effect e = guide_drag();
   e.id = "guide_drag_presliding";
-  const EffectSignals& s = effect_signals();
-  const GiNaC::ex length = e.shape("presliding_length", "m", Scale::none, 3e-6, 1e-3, 4);
-  const GiNaC::ex now = add_bristle(length, e);
-  for (EffectColumn& column : e.columns) column.term = column.term.subs(s.direction == now);
+  creep_in_guide(e);
   e.signature =
       "a force is lost against the tendon's motion, however hard it is pulled, and builds up over "
       "a short way behind every reversal";
