@@ -225,7 +225,7 @@ bool differ(const Disturbances& one, const Disturbances& other) {
 namespace {
 
 /// What is disturbed in each of several, or in the last if nothing is in all.
-Disturbances in_all(std::vector<Disturbances> several) {
+Disturbances in_all(const std::vector<Disturbances>& several) {
   Disturbances common = several.back();
   for (const Disturbances& other : several)
     for (std::size_t i = 0; i < common.aside.size(); ++i)
