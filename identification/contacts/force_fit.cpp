@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/likelihood/decision_constants.h"
+
 namespace sinew::diagnosis {
 namespace {
 
@@ -18,33 +20,44 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kOwnError = 0.03;  // of what is left over: lever arms are known no better
-// Of a found cause, none of which has exactly its law's form: without it impacts in a gear are
-// pushes (tests/identification/subjects/geared_joints.cpp). The likelihood has the same
-// (decision_constants.h).
-constexpr double kFormError = 0.2;
+constexpr double kOwnError = 0.03;     // of what is left over: lever arms are known no better
 constexpr double kMostSamples = 1500;  // that a point is fitted to
 constexpr double kLooser = 3.0;        // than their rms over a disturbance, most of it flanks
-constexpr double kRankLimit = 1e-9;
 
 /// A sample of a disturbance in units of its noise.
 struct Sample {
   std::size_t disturbance = 0;
-  VectorXd left;    ///< channels, and at a link three zeros
-  MatrixXd effort;  ///< channels x 12 at a link, and the force itself as a share of its rms; x 1
-                    ///< elsewhere
+  VectorXd left;    ///< channels, and a zero for each component of the force
+  MatrixXd effort;  ///< channels x 12 at a link, x 1 elsewhere, and the force's own components as
+                    ///< shares of what is expected
 };
 
 /// Of what a sample leaves over, with the error that what is found there brings.
 MatrixXd covariance_at(const ForceNoise& noise, const LeftOver& r, Index sample) {
   MatrixXd covariance = noise.covariance;
   covariance.diagonal() += (kOwnError * r.residual.row(sample).transpose()).cwiseAbs2();
+  // Impacts in a gear are pushes without it (tests/identification/subjects/geared_joints.cpp).
   covariance.diagonal() += (kFormError * r.explained.row(sample).transpose()).cwiseAbs2();
-  // A motion that is sampled turns a step early or late.
+  // A motion that is sampled may be a step early or late, as where it turns or is hit.
   covariance.diagonal() += r.within_step.row(sample).transpose().cwiseAbs2();
   covariance.diagonal() += noise.standing.cwiseAbs2().cwiseProduct(
       (1.0 - r.counts.row(sample).array().square()).matrix().transpose());
   return covariance;
+}
+
+/// What a sample leaves over, in units of the noise.
+double deviance_at(const Eigen::LLT<MatrixXd>& factor, const LeftOver& r, Index sample) {
+  return factor.matrixL().solve(r.residual.row(sample).transpose()).squaredNorm();
+}
+
+/// Of what one disturbance leaves over where no force is fitted.
+double deviance_without_force(const Disturbances& disturbances, const Disturbance& one,
+                              const ForceNoise& noise) {
+  const LeftOver& r = disturbances.left_over[one.recording];
+  double sum = 0.0;
+  for (Index k = one.first; k < one.last; ++k)
+    sum += deviance_at(Eigen::LLT<MatrixXd>(covariance_at(noise, r, k)), r, k);
+  return noise.independent * sum;
 }
 
 std::vector<Sample> in_units_of_noise(const Disturbances& disturbances, const ForceNoise& noise,
@@ -66,8 +79,9 @@ std::vector<Sample> in_units_of_noise(const Disturbances& disturbances, const Fo
   return samples;
 }
 
-/// What a force at a point of the link asks: affine in the point.
+/// What a force at a point of the link asks, affine in the point; elsewhere there is none.
 MatrixXd at_point(const Sample& s, const Vector3d& point) {
+  if (s.effort.cols() == 1) return s.effort;
   MatrixXd effort = s.effort.leftCols(3);
   for (Index i = 0; i < 3; ++i)
     effort += point(i) * (s.effort.middleCols(3 * (i + 1), 3) - s.effort.leftCols(3));
@@ -75,7 +89,7 @@ MatrixXd at_point(const Sample& s, const Vector3d& point) {
 }
 
 /// Least squares of one sample.
-Vector3d force_of(const MatrixXd& effort, const VectorXd& left) {
+VectorXd force_of(const MatrixXd& effort, const VectorXd& left) {
   return (effort.transpose() * effort).inverse() * (effort.transpose() * left);
 }
 
@@ -88,30 +102,42 @@ double mean_square_of_forces(const std::vector<Sample>& samples, const Vector3d&
     effort += at_point(s, point).squaredNorm();
   }
   double square = left / std::max(effort, 1e-300);
+  const Index components = samples.front().effort.cols() == 1 ? 1 : 3;
   for (int turn = 0; turn < kTurns; ++turn) {
     double sum = 0.0;
     for (const Sample& s : samples) {
       const MatrixXd a = at_point(s, point);
-      const Matrix3d covariance = (a.transpose() * a + Matrix3d::Identity() / square).inverse();
+      const MatrixXd covariance =
+          (a.transpose() * a + MatrixXd::Identity(components, components) / square).inverse();
       sum += (covariance * (a.transpose() * s.left)).squaredNorm() + covariance.trace();
     }
-    square = std::max(sum / (3.0 * static_cast<double>(samples.size())), 1e-300);
+    square = std::max(sum / static_cast<double>(components * static_cast<Index>(samples.size())),
+                      1e-300);
   }
   return square;
 }
 
-/// A joint's axis tells nothing of a force that points to it: there a force is as large as
-/// elsewhere or smaller.
-void expect_forces(const Vector3d& centre, std::vector<Sample>& samples) {
+/// How large a force's components are expected to be: nothing else limits one that points to a
+/// joint's axis, of which the joint tells nothing. Gives the weight of a unit of them.
+double expect_forces(const Vector3d& centre, std::vector<Sample>& samples) {
   const double weight = 1.0 / (kLooser * std::sqrt(mean_square_of_forces(samples, centre)));
   for (Sample& s : samples) {
-    const Index channels = s.left.size();
-    s.left.conservativeResize(channels + 3);
-    s.left.tail(3).setZero();
-    s.effort.conservativeResize(channels + 3, Eigen::NoChange);
-    for (Index point = 0; point < 4; ++point)
-      s.effort.block(channels, 3 * point, 3, 3) = weight * Matrix3d::Identity();
+    const Index channels = s.left.size(), components = s.effort.cols() == 1 ? 1 : 3;
+    s.left.conservativeResize(channels + components);
+    s.left.tail(components).setZero();
+    s.effort.conservativeResize(channels + components, Eigen::NoChange);
+    for (Index first = 0; first < s.effort.cols(); first += components)
+      s.effort.block(channels, first, components, components) =
+          weight * MatrixXd::Identity(components, components);
   }
+  return weight;
+}
+
+/// What a sample's force costs: by how much the logs narrow what was expected of it, whose weight
+/// `effort` ends with. In twice the log likelihood.
+double price_of(const MatrixXd& effort, double weight) {
+  return std::log((effort.transpose() * effort).determinant()) -
+         2.0 * static_cast<double>(effort.cols()) * std::log(weight);
 }
 
 /// The direction in which most of a disturbance's forces act.
@@ -193,27 +219,15 @@ std::vector<double> search_point(const LinkResidual& residual, std::size_t distu
   return x;
 }
 
-/// How many components of a force at a point show at all.
-double components(const std::vector<Sample>& samples, const Vector3d& point) {
-  Matrix3d gram = Matrix3d::Zero();
-  for (const Sample& s : samples) {
-    const MatrixXd effort = at_point(s, point).topRows(s.left.size() - 3);
-    gram += effort.transpose() * effort;
-  }
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(gram);
-  const double limit = kRankLimit * std::max(eigen.eigenvalues()(2), 1e-300);
-  return static_cast<double>((eigen.eigenvalues().array() > limit).count());
-}
-
 /// A force and its standard error along itself.
 struct EstimatedForce {
-  Vector3d force;
+  VectorXd force;
   double error = 0.0;
 };
 
 EstimatedForce estimate(const MatrixXd& effort, const VectorXd& left) {
   EstimatedForce e{force_of(effort, left)};
-  const Vector3d along = e.force.normalized();
+  const VectorXd along = e.force.normalized();
   e.error = std::sqrt(along.dot((effort.transpose() * effort).inverse() * along));
   return e;
 }
@@ -237,22 +251,21 @@ class Courses {
       fit_.forces.back().worth = deviance_without_force(disturbances, d, noise);
     }
   }
-  void add(std::size_t disturbance, const VectorXd& force, double error, double deviance) {
+  void add(std::size_t disturbance, const EstimatedForce& e, double deviance, double price) {
     FittedForce& f = fit_.forces[disturbance];
-    f.course.row(at_[disturbance]++) = force.transpose();
-    if (force.norm() > f.peak) {
-      f.peak = force.norm();
-      f.peak_error = error;
+    f.course.row(at_[disturbance]++) = e.force.transpose();
+    if (e.force.norm() > f.peak) {
+      f.peak = e.force.norm();
+      f.peak_error = e.error;
     }
     fit_.deviance += noise_.independent * deviance;
-    f.worth -= noise_.independent * deviance;
+    fit_.price += noise_.independent * price;
+    f.worth -= noise_.independent * (deviance + price);
   }
-  /// Numbers of each sample, and of each disturbance beside them.
-  void charge(double of_sample, double of_disturbance) {
+  /// For the direction of each disturbance.
+  void charge_directions() {
+    const double price = 2.0 * noise_.price;
     for (FittedForce& f : fit_.forces) {
-      const double price =
-          noise_.price *
-          (of_sample * noise_.independent * static_cast<double>(f.course.rows()) + of_disturbance);
       fit_.price += price;
       f.worth -= price;
     }
@@ -265,7 +278,7 @@ class Courses {
 };
 
 ForceFit fit_at_link(const Disturbances& disturbances, const ForceNoise& noise,
-                     const ForcePlace& place, const std::vector<Sample>& samples,
+                     const ForcePlace& place, const std::vector<Sample>& samples, double weight,
                      bool one_direction) {
   ForceFit fit;
   fit.place = &place;
@@ -278,29 +291,42 @@ ForceFit fit_at_link(const Disturbances& disturbances, const ForceNoise& noise,
   Courses courses(disturbances, noise, 3, fit);
   for (const Sample& s : samples) {
     const MatrixXd effort = at_point(s, fit.point);
-    const EstimatedForce e =
-        one_direction ? estimate_along(residual.direction(x.data(), s.disturbance), effort, s.left)
-                      : estimate(effort, s.left);
-    courses.add(s.disturbance, e.force, e.error, residual.left_of(s, x.data()).squaredNorm());
+    const double deviance = residual.left_of(s, x.data()).squaredNorm();
+    if (one_direction) {
+      const Vector3d along = residual.direction(x.data(), s.disturbance);
+      courses.add(s.disturbance, estimate_along(along, effort, s.left), deviance,
+                  price_of(effort * along, weight));
+    } else {
+      courses.add(s.disturbance, estimate(effort, s.left), deviance, price_of(effort, weight));
+    }
   }
-  courses.charge(one_direction ? 1.0 : components(samples, fit.point), one_direction ? 2.0 : 0.0);
+  if (one_direction) courses.charge_directions();
   return fit;
 }
 
 ForceFit fit_elsewhere(const Disturbances& disturbances, const ForceNoise& noise,
-                       const ForcePlace& place, const std::vector<Sample>& samples) {
+                       const ForcePlace& place, const std::vector<Sample>& samples, double weight) {
   ForceFit fit;
   fit.place = &place;
   Courses courses(disturbances, noise, 1, fit);
   for (const Sample& s : samples) {
-    const VectorXd asked = s.effort.col(0);
-    const double square = std::max(asked.squaredNorm(), 1e-300);
-    const double force = asked.dot(s.left) / square;
-    courses.add(s.disturbance, VectorXd::Constant(1, force), 1.0 / std::sqrt(square),
-                (s.left - asked * force).squaredNorm());
+    const EstimatedForce e = estimate(s.effort, s.left);
+    courses.add(s.disturbance, e, (s.left - s.effort * e.force).squaredNorm(),
+                price_of(s.effort, weight));
   }
-  courses.charge(1.0, 0.0);
   return fit;
+}
+
+/// Friction holds any effort up to its level, which is as large as what it holds anywhere.
+VectorXd most_at_rest(const Disturbances& disturbances) {
+  VectorXd most = disturbances.training.standing;
+  for (const LeftOver& r : disturbances.left_over)
+    most = most.cwiseMax(r.residual.cwiseProduct((r.counts.array() == 0.0).cast<double>().matrix())
+                             .cwiseAbs()
+                             .colwise()
+                             .maxCoeff()
+                             .transpose());
+  return most;
 }
 
 }  // namespace
@@ -332,31 +358,24 @@ ForceNoise force_noise(const Disturbances& disturbances, double material_share) 
   // What is not worth telling counts as noise; of a log without any it is all there is.
   noise.covariance.diagonal() += material_share * material_share * measured;
   noise.covariance.diagonal().array() += 1e-300;
-  noise.standing = disturbances.training.standing;
+  noise.standing = most_at_rest(disturbances);
   noise.price = std::log(std::max(independent, 2.0));
   return noise;
 }
 
-double deviance_at(const ForceNoise& noise, const LeftOver& r, Index sample) {
+double log_loss_at(const ForceNoise& noise, const LeftOver& r, Index sample) {
   const Eigen::LLT<MatrixXd> factor(covariance_at(noise, r, sample));
-  return factor.matrixL().solve(r.residual.row(sample).transpose()).squaredNorm();
-}
-
-double deviance_without_force(const Disturbances& disturbances, const Disturbance& one,
-                              const ForceNoise& noise) {
-  const LeftOver& r = disturbances.left_over[one.recording];
-  double sum = 0.0;
-  for (Index k = one.first; k < one.last; ++k) sum += deviance_at(noise, r, k);
-  return noise.independent * sum;
+  return deviance_at(factor, r, sample) +
+         2.0 * MatrixXd(factor.matrixL()).diagonal().array().log().sum();
 }
 
 ForceFit fit_force(const Disturbances& disturbances, const ForceNoise& noise,
                    const ForcePlace& place) {
   std::vector<Sample> samples = in_units_of_noise(disturbances, noise, place);
-  if (!place.at_link) return fit_elsewhere(disturbances, noise, place, samples);
-  expect_forces(place.centre, samples);
-  ForceFit straight = fit_at_link(disturbances, noise, place, samples, true);
-  ForceFit any = fit_at_link(disturbances, noise, place, samples, false);
+  const double weight = expect_forces(place.centre, samples);
+  if (!place.at_link) return fit_elsewhere(disturbances, noise, place, samples, weight);
+  ForceFit straight = fit_at_link(disturbances, noise, place, samples, weight, true);
+  ForceFit any = fit_at_link(disturbances, noise, place, samples, weight, false);
   return straight.score() <= any.score() ? straight : any;
 }
 

@@ -23,8 +23,10 @@ struct ForceFit {
   bool one_direction = false;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< m, the link's frame; at a link
   std::vector<FittedForce> forces;                  ///< one a disturbance
-  double deviance = 0.0;  ///< what is left over, in units of the noise, for independent samples
-  double price = 0.0;     ///< of its numbers, each the logarithm of that of independent samples
+  double deviance = 0.0;  ///< what is left over, and the force beside what is expected of it, in
+                          ///< units of the noise, for independent samples
+  double price = 0.0;     ///< of the course, by evidence; each other number costs the logarithm of
+                          ///< that of independent samples
 
   double score() const { return deviance + price; }
 };
@@ -32,20 +34,16 @@ struct ForceFit {
 /// What nothing but noise would leave over of the disturbed samples.
 struct ForceNoise {
   Eigen::MatrixXd covariance;  ///< channels x channels, of what undisturbed motion leaves over
-  Eigen::VectorXd standing;    ///< rms per channel where friction may hold it
+  Eigen::VectorXd standing;    ///< what friction may hold of each channel
   double independent = 1.0;    ///< of the samples
   double price = 0.0;          ///< of one number
 };
 /// `material_share`: of a channel's rms, what is not worth telling.
 ForceNoise force_noise(const Disturbances& disturbances, double material_share);
 
-/// What one sample of a recording leaves over, in units of the noise and of what is known no
-/// better.
-double deviance_at(const ForceNoise& noise, const LeftOver& r, Eigen::Index sample);
-
-/// Deviance of what one disturbance leaves over where no force is fitted.
-double deviance_without_force(const Disturbances& disturbances, const Disturbance& one,
-                              const ForceNoise& noise);
+/// -2 log p of what one sample of a recording leaves over, up to what is the same for all that may
+/// explain it. An explanation that is off by more expects more to be left over, and says less.
+double log_loss_at(const ForceNoise& noise, const LeftOver& r, Eigen::Index sample);
 
 /// The better of both kinds at a link, by the score.
 ForceFit fit_force(const Disturbances& disturbances, const ForceNoise& noise,

@@ -149,13 +149,19 @@ std::vector<LeftOver> FitInTime::operator()(const std::vector<SetAside>& aside,
     VectorXd rest = model_.target[i];
     const VectorXd said = predict(columns, coefficients, i);
     if (said.size() > 0) rest -= said;
-    result[recording].residual.col(channel) = rest;
+    LeftOver& r = result[recording];
+    r.residual.col(channel) = rest;
     const VectorXd explained = predict(columns, of_causes, i);
-    if (explained.size() > 0) result[recording].explained.col(channel) = explained;
-    const VectorXd friction = predict(columns, turning, i);
-    const LeftOver& r = result[recording];
-    if (friction.size() > 0)
-      result[recording].within_step.col(channel) = change_within(friction, r.step * r.rate_hz);
+    if (explained.size() > 0) r.explained.col(channel) = explained;
+    // Friction turns with the speed, inertia with the acceleration: what jumps in both may undo
+    // itself in their sum.
+    VectorXd friction = predict(columns, turning, i);
+    if (friction.size() == 0) friction = VectorXd::Zero(rest.size());
+    const double step = r.step * r.rate_hz;
+    const VectorXd others = r.measured.col(channel) - rest - friction;
+    r.within_step.col(channel) =
+        (change_within(friction, step).cwiseAbs2() + change_within(others, step).cwiseAbs2())
+            .cwiseSqrt();
   }
   return result;
 }

@@ -16,12 +16,12 @@ using SetAside = Eigen::ArrayX<bool>;
 struct LeftOver {
   int recording = 0;  ///< index into training, then holdout
   bool held_out = false;
-  Eigen::VectorXd time;                ///< s, of the log's own clock
-  Eigen::MatrixXd measured;            ///< samples x channels, N m or N
-  Eigen::MatrixXd residual;            ///< the same: measured less what the model says
-  Eigen::MatrixXd explained;           ///< the same: what the named causes of the model make of it
-  Eigen::MatrixXd within_step;         ///< the same: how far friction turns in one step of the log
-  Eigen::MatrixXd counts;              ///< the same: 1, and down to 0 where a joint stands still
+  Eigen::VectorXd time;         ///< s, of the log's own clock
+  Eigen::MatrixXd measured;     ///< samples x channels, N m or N
+  Eigen::MatrixXd residual;     ///< the same: measured less what the model says
+  Eigen::MatrixXd explained;    ///< the same: what the named causes of the model make of it
+  Eigen::MatrixXd within_step;  ///< the same: how far what the model says goes in a step of the log
+  Eigen::MatrixXd counts;       ///< the same: 1, and down to 0 where a joint stands still
   Eigen::MatrixXd position, velocity;  ///< of the channels' coordinates: rad or m, and per s
   double step = 0.0;                   ///< s: of the log
   double rate_hz = 0.0;                ///< of the samples

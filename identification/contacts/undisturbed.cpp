@@ -89,6 +89,16 @@ bool same(const std::vector<SetAside>& one, const std::vector<SetAside>& other) 
                     [](const SetAside& a, const SetAside& b) { return (a == b).all(); });
 }
 
+/// Structure without a name is what a push looks like: where there is any beside it, the search
+/// finds it again.
+std::vector<SlotForm> named_forms(const Problem& problem, std::vector<SlotForm> forms) {
+  std::erase_if(forms, [&](const SlotForm& form) {
+    return form.candidate >= 0 &&
+           problem.library[static_cast<std::size_t>(form.candidate)].kind != CandidateKind::named;
+  });
+  return forms;
+}
+
 DrivenSubject without(const DrivenSubject& subject, const Disturbances& seen) {
   DrivenSubject rest = subject;
   rest.leave_out(stretches_in_time(seen));
@@ -113,7 +123,7 @@ std::optional<NamedCause> find_undisturbed(const Searches& searches, const Setti
   std::vector<SetAside> without_these;  // the rough explanation is found
   const auto search_without = [&](const Disturbances& known) {
     rest = without(subject, known);
-    rough = searches.rough(rest, explanation.forms);
+    rough = searches.rough(rest, named_forms(problem, explanation.forms));
     without_these = known.aside;
   };
   // With causes that a push has spoilt less it is plainer what is disturbed, in held-out logs too:

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "identification/diagnosis/confidence.h"
+#include "identification/likelihood/decision_constants.h"
 #include "symbolic/effects/model_effects.h"
 
 namespace sinew::diagnosis {
@@ -18,15 +19,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kPrior =
-    23.0;                     // of the score: odds of 1e-5 for each push before the logs are seen
-constexpr double kSet = 6.0;  // of the score: twenty times less likely is no member of the set
+// In twice the log likelihood: what each push has to be worth, and what is no member of the set.
+const double kPrior = -2.0 * std::log(kPriorOdds);
+const double kSet = -2.0 * std::log(1.0 - kCredible);
 
-/// What the logs leave over as a whole, in units of the noise.
-double deviance_of(const std::vector<LeftOver>& logs, const ForceNoise& noise) {
+/// Of what the logs leave over as a whole.
+double log_loss_of(const std::vector<LeftOver>& logs, const ForceNoise& noise) {
   double sum = 0.0;
   for (const LeftOver& r : logs)
-    for (Index k = 0; k < r.time.size(); ++k) sum += deviance_at(noise, r, k);
+    for (Index k = 0; k < r.time.size(); ++k) sum += log_loss_at(noise, r, k);
   return noise.independent * sum;
 }
 
@@ -129,10 +130,10 @@ std::optional<NamedCause> find_unlogged_force(const Alternative& alternative, do
     none.push_back(SetAside::Constant(alternative.fit.samples(i), false));
   const std::vector<LeftOver> by_whole =
       alternative.fit(none, disturbances.training.moving.cwiseMax(1e-300));
-  double with_force = deviance_of(disturbances.left_over, noise) + noise.price * numbers;
+  double with_force = log_loss_of(disturbances.left_over, noise) + noise.price * numbers;
   for (const FittedForce& force : fits.front().forces)
     if (force.worth > kPrior) with_force -= force.worth - kPrior;
-  const double without = deviance_of(by_whole, noise) + noise.price * alternative.numbers;
+  const double without = log_loss_of(by_whole, noise) + noise.price * alternative.numbers;
   const double statistic = without - with_force;
   if (!is_pushed_in_training(fits.front(), disturbances) ||
       !(statistic > -2.0 * std::log(settings.significance)))

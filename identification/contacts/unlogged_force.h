@@ -19,7 +19,8 @@ struct Alternative {
 
 /// Where a force at one of the places, beside causes with so many `numbers`, explains the logs
 /// better than the alternative does: the cause to be told, with a parameter for each disturbance's
-/// peak. By Bayes' information criterion, every independent sample of the force a number.
+/// peak. By the probability of what is left over, all that any channel may be off by included: the
+/// force's course by evidence, other numbers by Bayes' information criterion.
 /// `disturbances`: as those causes leave them over; `names`: of the recordings; `material_share`:
 /// force_noise().
 std::optional<NamedCause> find_unlogged_force(const Alternative& alternative, double numbers,

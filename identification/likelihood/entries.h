@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "identification/likelihood/bayes_factor.h"
-#include "identification/likelihood/moments.h"
+#include "identification/likelihood/small_errors.h"
 
 namespace sinew::diagnosis {
 

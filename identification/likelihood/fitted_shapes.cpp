@@ -99,17 +99,36 @@ void fit_forms(const Design& design, const std::vector<SlotForm>& forms, FoundSl
   fit_starts(design, starts, found);
 }
 
+namespace {
+
+/// The shape of a fitted term: the grid's where it is one of its points, else one more.
+int shape_of(const Design& design, const Term& term, const Entry& e, Hypotheses& all) {
+  const int nearest = e.shapes.front();
+  const VectorXd& known = all.shapes[static_cast<std::size_t>(nearest)].nonlinear;
+  if (term.nonlinear.size() == 0 ||
+      (e.shapes.size() == 1 && known.size() == term.nonlinear.size() &&
+       (known - term.nonlinear).norm() <= 1e-3 * term.nonlinear.norm()))
+    return nearest;
+  add_shape(design, e.hypothesis, term.nonlinear, all);
+  return all.list[static_cast<std::size_t>(e.hypothesis)].shapes.back();
+}
+
+}  // namespace
+
 void add_fitted_shapes(const Design& design, FoundSlots& found) {
   const std::size_t first = found.model.terms.size() - found.slots.entries.size();
+  const VectorXd coefficients = solve(stack(found.model, found.whitening.training)).coefficients;
+  const std::vector<Index> column = first_columns(found.model);
+  found.laws.clear();
   for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {
     const Term& term = found.model.terms[first + i];
     const Entry& e = found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])];
-    if (term.deviation >= 0 || term.nonlinear.size() == 0) continue;
-    const VectorXd& known = found.all.shapes[static_cast<std::size_t>(e.shapes.front())].nonlinear;
-    if (e.shapes.size() == 1 && known.size() == term.nonlinear.size() &&
-        (known - term.nonlinear).norm() <= 1e-3 * term.nonlinear.norm())
-      continue;
-    add_shape(design, e.hypothesis, term.nonlinear, found.all);
+    if (term.deviation >= 0) continue;
+    const int shape = shape_of(design, term, e, found.all);
+    if (term.candidate->of_all_places)
+      found.laws.push_back(
+          {shape, coefficients.segment(column[first + i],
+                                       static_cast<Index>(term.candidate->linear.size()))});
   }
 }
 

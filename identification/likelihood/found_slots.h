@@ -18,9 +18,10 @@ struct FoundSlots {
   std::unique_ptr<SmallErrors> errors;  ///< points to `moments`
   std::unique_ptr<SlotSearch> search;   ///< points to all of these
   Slots slots;
-  Model model;                ///< the base's terms, then one term a slot, in their order
-  double small_errors = 0.0;  ///< share by which everything is off
-  double evidence = 0.0;      ///< log of the logs' probability and the slots' odds, to be compared
+  Model model;                 ///< the base's terms, then one term a slot, in their order
+  double small_errors = 0.0;   ///< share by which everything is off
+  std::vector<FoundLaw> laws;  ///< whose relatives are off by more
+  double evidence = 0.0;       ///< log of the logs' probability and the slots' odds, to be compared
   std::vector<SlotForm> forms;  ///< what the next search begins from; empty: nothing
 };
 

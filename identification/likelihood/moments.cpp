@@ -165,29 +165,6 @@ void project_out_free(const ColumnSums& sums, const std::vector<Index>& at, cons
   m.log_free_volume = log_volume(sums.gram(free, free));
 }
 
-/// Columns that stand for their hypothesis among small errors, and the share of it each carries.
-/// Those of one shape have none: what is linear in all its parameters is not off in its form, and
-/// its errors hide the weak ones (scripts/study on 57 trials of one cause: 37 right with them, 39
-/// without, and as many wrong names).
-void choose_representatives(const Moments& m, const Hypotheses& all, std::vector<Index>& at,
-                            std::vector<double>& variance) {
-  for (const Hypothesis& h : all.list) {
-    std::vector<Index> own;
-    const std::size_t count = h.shapes.size();
-    std::vector<std::size_t> chosen;
-    if (count > 1) chosen.push_back(count / 3);
-    if (count > 2) chosen.push_back(2 * count / 3);
-    for (const std::size_t k : chosen) {
-      const Moments::Range& range = m.of_shape[static_cast<std::size_t>(h.shapes[k])];
-      for (Index c = 0; c < range.count; ++c) own.push_back(range.first + c);
-    }
-    for (const Index column : own) {
-      at.push_back(column);
-      variance.push_back(1.0 / static_cast<double>(own.size()));
-    }
-  }
-}
-
 }  // namespace
 
 Moments moments_of(const ColumnSums& sums, const Hypotheses& all) {
@@ -202,93 +179,6 @@ Moments moments_of(const ColumnSums& sums, const Hypotheses& all) {
 
 Moments moments_of(const Design& design, const Hypotheses& all, const Whitening& whitening) {
   return moments_of(column_sums(design, all, whitening), all);
-}
-
-/// Columns that are noise besides.
-struct SmallErrors::Errors {
-  std::vector<Index> at;
-  VectorXd size;  ///< standard deviation of each one's coefficient
-};
-
-SmallErrors::SmallErrors(const Moments& m, const Hypotheses& all, double share)
-    : m_(m), target_(m.target), log_likelihood_(-0.5 * m.deviance) {
-  if (!(share > 0.0)) return;
-  Errors errors;
-  std::vector<double> variance;
-  choose_representatives(m, all, errors.at, variance);
-  const auto count = static_cast<Index>(errors.at.size());
-  errors.size = share * VectorXd::Map(variance.data(), count).cwiseSqrt();
-  std::vector<std::vector<std::size_t>> own(static_cast<std::size_t>(m.regions().count()));
-  std::vector<std::size_t> everywhere;
-  for (std::size_t i = 0; i < errors.at.size(); ++i) {
-    const int region = m.regions().of(errors.at[i]);
-    (region == Regions::kEverywhere ? everywhere : own[static_cast<std::size_t>(region)])
-        .push_back(i);
-  }
-  // Cholesky's factor by blocks: regions do not meet, and what is everywhere comes after them.
-  for (std::size_t r = 0; r < own.size(); ++r) take(errors, own[r], static_cast<int>(r));
-  take(errors, everywhere, Regions::kEverywhere);
-}
-
-/// Errors `which`, all of one region, after those that were taken before.
-void SmallErrors::take(const Errors& errors, const std::vector<std::size_t>& which, int region) {
-  const auto count = static_cast<Index>(which.size());
-  if (count == 0) return;
-  std::vector<Index> at;
-  VectorXd size(count);
-  for (const std::size_t i : which) {
-    size(static_cast<Index>(at.size())) = errors.size(static_cast<Index>(i));
-    at.push_back(errors.at[i]);
-  }
-  const MatrixXd cross = size.asDiagonal() * gram(at, m_.regions().columns(region));
-  MatrixXd inner = MatrixXd(cross(Eigen::all, m_.regions().places(region, at))) * size.asDiagonal();
-  inner += MatrixXd::Identity(count, count);
-  const Eigen::LLT<MatrixXd> factor(inner);
-  const VectorXd own = factor.matrixL().solve(VectorXd(size.cwiseProduct(target_(at))));
-  Taken taken{region, factor.matrixL().solve(cross)};
-  target_(m_.regions().columns(region)) -= taken.rows.transpose() * own;
-  taken_.push_back(std::move(taken));
-  log_likelihood_ +=
-      0.5 * own.squaredNorm() - MatrixXd(factor.matrixL()).diagonal().array().log().sum();
-}
-
-namespace {
-
-/// Those of some columns that a region has: where they stand in the list, and among the region's.
-struct OfRegion {
-  OfRegion(const Regions& regions, int region, const std::vector<Index>& list) {
-    for (std::size_t i = 0; i < list.size(); ++i)
-      if (regions.has(region, list[i])) {
-        in_list.push_back(static_cast<Index>(i));
-        places.push_back(regions.place(region, list[i]));
-      }
-  }
-
-  bool is_all_of(const MatrixXd& x) const {
-    return static_cast<Index>(places.size()) == x.cols() &&
-           std::is_sorted(places.begin(), places.end());
-  }
-
-  std::vector<Index> in_list, places;
-};
-
-}  // namespace
-
-MatrixXd SmallErrors::gram(const std::vector<Index>& rows,
-                           const std::vector<Index>& columns) const {
-  MatrixXd g = m_.gram(rows, columns);
-  for (const Taken& taken : taken_) {
-    const OfRegion left(m_.regions(), taken.region, rows),
-        right(m_.regions(), taken.region, columns);
-    if (left.places.empty() || right.places.empty()) continue;
-    const MatrixXd others = taken.rows(Eigen::all, right.places);
-    if (left.is_all_of(taken.rows))
-      g(left.in_list, right.in_list) -= taken.rows.transpose() * others;
-    else
-      g(left.in_list, right.in_list) -=
-          MatrixXd(taken.rows(Eigen::all, left.places)).transpose() * others;
-  }
-  return g;
 }
 
 }  // namespace sinew::diagnosis

@@ -36,37 +36,4 @@ struct Moments {
 Moments moments_of(const ColumnSums& sums, const Hypotheses& all);
 Moments moments_of(const Design& design, const Hypotheses& all, const Whitening& whitening);
 
-/// Moments where every hypothesis of several shapes is off by chance by a share of the rms of what
-/// was measured:
-/// its columns are noise besides. The products are those of the whitened rows under that noise.
-class SmallErrors {
- public:
-  /// share: standard deviation of a hypothesis' error; 0: there is none.
-  SmallErrors(const Moments& m, const Hypotheses& all, double share);
-
-  /// Gram matrix of some columns (rows) with some others.
-  Eigen::MatrixXd gram(const std::vector<Eigen::Index>& rows,
-                       const std::vector<Eigen::Index>& columns) const;
-  const Eigen::VectorXd& target() const { return target_; }
-  /// log p(what was measured | no cause) up to what all shares have in common.
-  double log_likelihood() const { return log_likelihood_; }
-  const Moments& moments() const { return m_; }
-
- private:
-  /// What errors of some hypotheses take: their rows of the Cholesky factor's inverse times their
-  /// products with a region's columns. The Gram matrix less taken' taken of every region that both
-  /// columns have is the one under small errors.
-  struct Taken {
-    int region = Regions::kEverywhere;
-    Eigen::MatrixXd rows;
-  };
-  struct Errors;
-  void take(const Errors& errors, const std::vector<std::size_t>& which, int region);
-
-  const Moments& m_;
-  std::vector<Taken> taken_;
-  Eigen::VectorXd target_;
-  double log_likelihood_ = 0.0;
-};
-
 }  // namespace sinew::diagnosis

@@ -34,7 +34,7 @@ struct Grower {
   /// one begins. False: it is not the most probable.
   bool try_share(int at, Slots& slots) {
     const double share = kShares[at];
-    auto errors = std::make_unique<SmallErrors>(found.moments, found.all, share);
+    auto errors = std::make_unique<SmallErrors>(found.moments, found.all, share, found.laws);
     auto by = std::make_unique<SlotSearch>(found.all, *errors, most, banned);
     if (slots.entries.empty()) slots = slots_of_forms(found.all, *by, found.forms);
     slots = slots.entries.empty() ? by->find() : by->find(std::move(slots));

@@ -107,6 +107,7 @@ struct Candidate {
   /// secant that the search knows beside the tangent; 0: in proportion.
   double secant = 0.0;
   bool unlikely = false;        ///< named only where no other cause explains as much
+  bool of_all_places = false;   ///< one law, with one coefficient, at all places of one make
   bool of_body = false;         ///< parameters of a body
   bool has_model_form = false;  ///< its columns are the mechanism's own, unlike a friction law's
   bool sized_twice = false;  ///< its one coefficient and its first nonlinear parameter are one size

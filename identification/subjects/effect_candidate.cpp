@@ -148,6 +148,7 @@ Candidate effect_candidate(const Effect& effect, const EffectPlace& place, const
   c.channels = {place.axis};
   c.limit_meaning = effect.limit;
   c.isolating_experiment = effect.experiment;
+  c.unlikely = effect.unlikely;
   for (const EffectColumn& column : effect.columns)
     c.linear.push_back(linear_parameter(column, place.revolute));
   if (!fixed)

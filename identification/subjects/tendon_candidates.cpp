@@ -237,6 +237,7 @@ Candidate TendonColumns::common_candidate(const Effect& effect) const {
     each.push_back(candidate(effect, static_cast<Index>(t)));
   Candidate all = each.front();
   all.place = "all tendons";
+  all.of_all_places = true;
   all.columns = [each](const Recording& log, int channel, const VectorXd& shape) {
     MatrixXd sum;
     for (const Candidate& one : each) {

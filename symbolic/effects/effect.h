@@ -106,6 +106,7 @@ struct Effect {
   std::vector<EffectState> states;
   bool at_tendon = false;    ///< its places are tendons, else joints
   bool of_one_make = false;  ///< likely to be the same at all its places
+  bool unlikely = false;     ///< named only where no other law of its name explains as much
   bool motor_side = false;   ///< at a tendon: it moves there as its motor does
   /// At a tendon: its force is not as measured, so that its motor carries something else, too.
   bool felt_by_motor = false;

@@ -10,6 +10,8 @@ Effect guide_drag() {
   e.id = "guide_drag";
   const EffectSignals& s = effect_signals();
   const GiNaC::ex of_force = e.columns.front().term;
+  // Most guides press on their tendons by the tendons' own force.
+  e.unlikely = true;
   e.columns.clear();
   e.column("friction_force", "N/rad", Sign::positive, of_force.subs(s.load == 1));
   e.signature =

@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "identification/likelihood/moments.h"
+#include "identification/likelihood/small_errors.h"
 
 namespace {
 
