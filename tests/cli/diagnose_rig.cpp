@@ -20,6 +20,10 @@ namespace {
 const std::vector<std::string> diagnose{"diagnose",  "lever", "--log", "a.csv",
                                         "--holdout", "b.csv", "--out", "d"};
 
+Ended diagnosed_wrist(const Workplace& place) {
+  return place.sinew({"diagnose", "wrist", "--log", "a.csv", "--holdout", "b.csv", "--out", "d"});
+}
+
 }  // namespace
 
 TEST_CASE("a lever that has learnt from its logs is generated and diagnosed again", "[slow]") {
@@ -81,26 +85,29 @@ TEST_CASE("a lever's sensor that is slow or loose is named") {
   CHECK(loose.sinew({"generate", "lever", "--out", "c"}).status == 0);
 }
 
-TEST_CASE("a wrist's sensor that is slow or loose or coarse is named at its angle", "[slow]") {
-  // Planted defects, each seen red here: the speeds of both angles exchanged in the recording; the
-  // rates left at zero; a sensor's steps looked for in the other angle.
-  const auto told = [](const Workplace& place) {
-    return place.sinew({"diagnose", "wrist", "--log", "a.csv", "--holdout", "b.csv", "--out", "d"});
-  };
+// Planted defects, each seen red in one of the next three: the speeds of both angles exchanged in
+// the recording; the rates left at zero; a sensor's steps looked for in the other angle.
+TEST_CASE("a wrist's sensor that is slow is named at its angle", "[slow]") {
   const Workplace slow =
       wrist_that_has(WristLog({{"sensor_low_pass", "q71", {}, {{"lag", 0.01, 0.0, "s"}}}}));
-  const Ended late = told(slow);
+  const Ended late = diagnosed_wrist(slow);
   INFO(late.output);
   CHECK(late.says("The model lacks: low-pass of the angle sensor (q71)."));
   CHECK(late.says("Extension  The model was extended"));
+}
+
+TEST_CASE("a wrist's sensor that is loose is named at its angle", "[slow][thorough]") {
   const Workplace loose = wrist_that_has(
       WristLog({{"sensor_hysteresis", "q73", {}, {{"half_width", 0.003, 0.0, "rad"}}}}));
-  const Ended behind = told(loose);
+  const Ended behind = diagnosed_wrist(loose);
   INFO(behind.output);
   CHECK(behind.says("The model lacks: hysteresis of the angle sensor (q73)."));
   CHECK(behind.says("Extension  The model was extended"));
   CHECK(loose.sinew({"generate", "wrist", "--out", "c"}).status == 0);
-  const Ended coarse = told(wrist_that_has(WristLog({}, 0.01)));
+}
+
+TEST_CASE("a wrist's sensor that is coarse is named at its angle", "[slow][thorough]") {
+  const Ended coarse = diagnosed_wrist(wrist_that_has(WristLog({}, 0.01)));
   INFO(coarse.output);
   CHECK(coarse.says("quantisation of the angle sensor (q73)"));
 }

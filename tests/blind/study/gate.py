@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""gate.py <program> <drawer> <plant>: the trials of gates.csv that are of this plant. Ends with 1 where one of
+"""gate.py <program> <drawer> <plant> <when>: the trials of gates.csv that are of this plant, in scripts/test or in
+scripts/verify. Ends with 1 where one of
 them is no longer what it was, or where what was adopted is not physical or gains other than it tells."""
 import pathlib
 import sys
@@ -13,7 +14,7 @@ GAIN_AGREES = 0.02  # told against recomputed from the emitted C
 
 def read_gates(file):
     return [{"plant": r["plant"], "family": r["family"], "size": float(r["size"]), "number": int(r["seed"]),
-             "cause": r["cause"], "logs": 1, "seed": int(r["seed"]), "wanted": r["wanted"]}
+             "cause": r["cause"], "logs": 1, "seed": int(r["seed"]), "wanted": r["wanted"], "when": r["when"]}
             for r in trials.read_table(file)]
 
 
@@ -56,10 +57,11 @@ def failures(gate, line):
 
 
 def main():
-    program, drawer, plant = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
+    program, drawer, plant, when = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), *sys.argv[3:]
     tools = {"program": program, "drawer": drawer, "sinew": program, "runtime": ROOT / "runtime", "limit": 300.0,
              "physical": True}
-    gates = [g for g in read_gates(pathlib.Path(__file__).with_name("gates.csv")) if g["plant"] == plant]
+    gates = [g for g in read_gates(pathlib.Path(__file__).with_name("gates.csv"))
+             if (g["plant"], g["when"]) == (plant, when)]
     failed = 0
     with tempfile.TemporaryDirectory() as place:
         # A library that was loaded from a path is what that path is to this process from then on.

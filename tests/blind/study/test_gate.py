@@ -54,6 +54,7 @@ class Gates(unittest.TestCase):
         for g in gates:
             gate.failures(g, self.line())
             self.assertLess(g["seed"], trials.FIRST_SEED)
+            self.assertIn(g["when"], ("test", "verify"))
 
 
 if __name__ == "__main__":
