@@ -136,8 +136,8 @@ double expect_forces(const Vector3d& centre, std::vector<Sample>& samples) {
 /// What a sample's force costs: by how much the logs narrow what was expected of it, whose weight
 /// `effort` ends with. In twice the log likelihood.
 double price_of(const MatrixXd& effort, double weight) {
-  return std::log((effort.transpose() * effort).determinant()) -
-         2.0 * static_cast<double>(effort.cols()) * std::log(weight);
+  const MatrixXd narrowed = effort / weight;
+  return std::log((narrowed.transpose() * narrowed).determinant());
 }
 
 /// The direction in which most of a disturbance's forces act.

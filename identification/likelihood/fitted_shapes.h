@@ -15,7 +15,8 @@ void fit_shapes(const Design& design, FoundSlots& found);
 /// The model with a term for every form of another search whose hypothesis is there, likewise.
 void fit_forms(const Design& design, const std::vector<SlotForm>& forms, FoundSlots& found);
 
-/// Fitted shapes that are no grid points become shapes of their hypotheses.
+/// Fitted shapes that are no grid points become shapes of their hypotheses, and those that stand
+/// for all places of one make are the laws of what was found.
 void add_fitted_shapes(const Design& design, FoundSlots& found);
 
 /// Hypotheses whose fitted terms lie beyond their limits are not taken again. False: there are

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "identification/likelihood/decision_constants.h"
@@ -93,6 +94,7 @@ void SmallErrors::take_shares(const Hypotheses& all, double share) {
 /// The law at one of its places, and another law of its name.
 void SmallErrors::take_law(const Hypotheses& all, const FoundLaw& law) {
   const Moments::Range& range = m_.of_shape[static_cast<std::size_t>(law.shape)];
+  if (range.count == 0) return;
   const Shape& shape = all.shapes[static_cast<std::size_t>(law.shape)];
   const std::string& name = all.list[static_cast<std::size_t>(shape.hypothesis)].source->name;
   std::vector<Index> columns;

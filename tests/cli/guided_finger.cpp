@@ -143,13 +143,14 @@ void check_told(bool motors) {
 
 }  // namespace
 
-// Seen to fail with measured forces in the place of those that agree with the model (routing
-// offsets of nearly a pulley's radius are told), and with the guides of each tendon by itself
-// alone: six of them, up to 0.19 for their antagonists, too. With friction's direction worked out
-// at a thinned rate a motor's friction turned with 0.5 N·m, and nothing was adopted.
-// With one second look at what is disturbed, in blocks of 32 KiB (block_sizes.h), the push stayed
-// set aside by its first half, and nothing of it was told. With a price of a number for every
-// sample of the push, structure over the stroke was told in its place without the motors.
+// One of the next two was seen to fail with measured forces in the place of those that agree with
+// the model (routing offsets of nearly a pulley's radius are told), and with the guides of each
+// tendon by itself alone: six of them, up to 0.19 for their antagonists, too. With friction's
+// direction worked out at a thinned rate a motor's friction turned with 0.5 N·m, and nothing was
+// adopted. With one second look at what is disturbed, in blocks of 32 KiB (block_sizes.h), the push
+// stayed set aside by its first half, and nothing of it was told. With a price of a number for
+// every sample of the push it was not told without the motors: structure over the stroke was worth
+// more.
 TEST_CASE("friction in a finger's guides is told, and a push at its tip", "[slow]") {
   check_told(false);
 }
