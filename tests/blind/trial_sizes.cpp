@@ -147,6 +147,7 @@ TEST_CASE("a fault that no channel can show is none to be found") {
       const json seal = seal_of(request, place.path());
       const json& excess = seal["fault"]["excess"];
       REQUIRE(seal["reachable"].get<bool>() == (excess.is_null() || excess.get<double>() >= 1.0));
+      REQUIRE(seal["fault"].contains("unreachable") != seal["reachable"].get<bool>());
       if (seal["fault"]["fault"] != "clock") continue;
       ++of_clock[plant];
       shown[plant] += seal["reachable"].get<bool>() ? 1 : 0;

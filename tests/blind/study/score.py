@@ -23,14 +23,14 @@ def check_seal(seal, family, size):
     keys = {hidden_key(h) for h in hidden}
     if len(keys) != len(hidden):
         raise BrokenTrial("one cause is hidden twice at one place")
-    unreachable = [h for h in hidden if "unreachable" in h]
+    if family == "fault" and "fault" not in seal:
+        raise BrokenTrial("no fault was planted")
+    unreachable = [h for h in [*hidden, seal.get("fault", {})] if "unreachable" in h]
     if bool(unreachable) == seal["reachable"]:
         raise BrokenTrial("what could not be reached is not said, or the other way round")
     for h in hidden:
         if "unreachable" not in h and abs(h["excess"] / size - 1.0) > 0.05:
             raise BrokenTrial(f"{h['cause']} has the size {h['excess']:.2f}, asked for {size}")
-    if family == "fault" and "fault" not in seal:
-        raise BrokenTrial("no fault was planted")
     if (family == "drives") != bool(seal.get("drives")):
         raise BrokenTrial("a model without drives does not say which it lacks, or another one does")
     if family == "pair":

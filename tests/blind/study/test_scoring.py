@@ -139,6 +139,15 @@ class Seals(unittest.TestCase):
         with self.assertRaisesRegex(score.BrokenTrial, "not said"):
             score.check_seal(silent, "one", 1.0)
 
+    def test_a_fault_that_no_channel_shows_is_said(self):
+        # Seen to fail where causes alone were asked: a study ended at its first wrist with another clock.
+        clock = {"family": "fault", "hidden": [], "reachable": False,
+                 "fault": {"fault": "clock", "channel": "time", "unreachable": "no channel shows it"}}
+        score.check_seal(clock, "fault", 1.0)
+        del clock["fault"]["unreachable"]
+        with self.assertRaisesRegex(score.BrokenTrial, "not said"):
+            score.check_seal(clock, "fault", 1.0)
+
     def test_one_cause_twice_is_no_pair(self):
         twice = seal(("offset", "motor", 0), ("offset", "motor", 0), family="two")
         with self.assertRaisesRegex(score.BrokenTrial, "twice"):

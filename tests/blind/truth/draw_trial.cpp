@@ -390,7 +390,10 @@ std::string draw_trial(const TrialRequest& request, const std::filesystem::path&
       const double excess = size_of_fault(*drawn.plant, perfect, good, log).excess;
       seal["fault"]["excess"] = excess;
       seal["reachable"] = !(excess < 1.0);
-      if (!seal["reachable"].get<bool>()) return seal.dump();
+      if (!seal["reachable"].get<bool>()) {
+        seal["fault"]["unreachable"] = "no channel shows it";
+        return seal.dump();
+      }
     }
     const std::string file = number == 0   ? "train.csv"
                              : number == 1 ? "holdout.csv"
