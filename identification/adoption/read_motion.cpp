@@ -61,8 +61,9 @@ DrivenColumns columns_in(const Log& log, const DrivenChannels& channels) {
     for (const std::string& name : names) columns.push_back(log.channel(name));
     return columns;
   };
-  return {found(channels.positions), found(channels.efforts), found(channels.forces),
-          channels.load.empty() ? -1 : log.channel(channels.load), log.channel("payload")};
+  return {found(channels.positions), found(channels.efforts),
+          found(channels.forces),    channels.load.empty() ? -1 : log.channel(channels.load),
+          log.channel("payload"),    {}};
 }
 
 std::vector<std::string> open_currents(const LoggedMotion& logged) {

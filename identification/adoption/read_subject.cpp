@@ -7,11 +7,7 @@
 
 #include "identification/adoption/read_motion.h"
 #include "identification/report/log_record.h"
-#include "identification/subjects/channel_factors.h"
-#include "identification/subjects/common_factors.h"
-#include "identification/subjects/effort_consistency.h"
-#include "identification/subjects/lone_consistency.h"
-#include "identification/subjects/tendon_consistency.h"
+#include "identification/subjects/driven_readings.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -29,6 +25,7 @@ class SubjectReader {
       for (std::string& note :
            fit_constants(logged, request_.payloads, open, read_.subject, constants))
         notes.push_back(std::move(note));
+      scaled_to_model_ = open;
       logged = read_logs(request_, constants);
     }
     read_.torque_constants = constants_used(logged);
@@ -63,7 +60,10 @@ class SubjectReader {
   /// Throws LogError where going on is not safe.
   void check(const Log& log, const DrivenChannels& channels,
              const std::vector<PayloadNote>& payloads, bool held_out, LogRecord& record) const {
-    for (const DataFault& doubt : check_columns(log, columns_in(log, channels), held_out))
+    DrivenColumns columns = columns_in(log, channels);
+    for (const std::string& effort : scaled_to_model_)
+      columns.scaled_to_model.push_back(log.channel(effort));
+    for (const DataFault& doubt : check_columns(log, columns, held_out))
       record.faults.push_back(message(doubt));
     for (const PayloadNote& note : payloads)
       if (note.log == log.file) record.faults.push_back(log.file + ": " + note.text);
@@ -97,27 +97,15 @@ class SubjectReader {
         longest = &r;
     if (!longest) return {};
     FaultList faults(log.file);
-    const DrivenModel& model = request_.model;
-    if (!model.tendons.names.empty()) {
-      judge_tendons(log, columns, *longest, model, read_.subject.effort(), request_.runtime,
-                    faults);
-      if (!faults.stops())
-        judge_force_factors(log, columns, *longest, model, read_.subject.effort(), faults);
-    } else {
-      judge_efforts(log, columns, *longest, read_.subject.effort(), faults);
-      if (!faults.stops())
-        judge_common_factors(log, columns, *longest, read_.subject.effort(), faults);
-      if (!faults.stops())
-        judge_effort_factors(log, columns, *longest, read_.subject.effort(), faults);
-      judge_lone_effort(log, columns, *longest, read_.subject.effort(), model.joints.front(),
-                        faults);
-    }
+    judge_driven_columns(log, columns, *longest, request_.model, read_.subject.effort(),
+                         read_.subject.rigid(), request_.runtime, faults);
     if (faults.stops()) throw LogError(faults.all());
     return faults.all();
   }
 
   const DiagnoseRequest& request_;
   SubjectOfLogs read_;
+  std::vector<std::string> scaled_to_model_;  ///< efforts from currents, their constants fitted
 };
 
 }  // namespace

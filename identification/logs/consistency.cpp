@@ -68,7 +68,7 @@ class Checker {
   ArrayXd series(int channel) const { return samples().col(channel); }
 
   /// One coordinate has an effort. Where several have, gravity and the others' motion are in each,
-  /// and only the model can tell (effort_consistency.h).
+  /// and only the model can tell (subjects/column_readings.h).
   bool alone() const {
     return std::count_if(groups_.begin(), groups_.end(),
                          [](const Group& group) { return group.has(ChannelRole::effort); }) == 1;

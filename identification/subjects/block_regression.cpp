@@ -15,11 +15,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kHighest = 10.0;      // Hz
-constexpr Index kTimeBlocks = 10;      // of a log
-constexpr double kKnownWithin = 0.05;  // standard error, as a share
-constexpr double kAlike = 0.08;        // factors that are one
-constexpr double kStandstill = 0.1;    // of the joint's rms speed: there its friction is anything
+constexpr double kHighest = 10.0;    // Hz
+constexpr Index kTimeBlocks = 10;    // of a log
+constexpr double kStandstill = 0.1;  // of the joint's rms speed: there its friction is anything
 
 }  // namespace
 
@@ -40,25 +38,6 @@ SmoothEfforts smooth_efforts(const Recording& log, const EffortModel& model) {
           inner(model(log, motion.q, motion.qd, motion.qdd)),
           inner(model(log, motion.q, none, none)),
           inner(model(log, motion.q, none, motion.qdd))};
-}
-
-bool is_known(const Share& share) {
-  return std::isfinite(share.value) && share.standard_error < kKnownWithin * std::abs(share.value);
-}
-
-std::optional<double> common_factor(const std::vector<Share>& shares) {
-  double low = 0.0, high = 0.0, sum = 0.0;
-  int count = 0;
-  for (const Share& s : shares) {
-    if (!is_known(s)) continue;
-    low = count == 0 ? s.value : std::min(low, s.value);
-    high = count == 0 ? s.value : std::max(high, s.value);
-    sum += s.value;
-    ++count;
-  }
-  if (count < 2) return std::nullopt;
-  const double mean = sum / count;
-  return high - low < kAlike * std::abs(mean) ? std::optional(mean) : std::nullopt;
 }
 
 MatrixXd own_drive(const VectorXd& speed, const VectorXd& acceleration) {
@@ -121,10 +100,6 @@ std::vector<Share> BlockRegression::shares() const {
   for (Index k = 0; k < asked_; ++k)
     result.push_back(estimated([k](const VectorXd& c) { return c(k); }));
   return result;
-}
-
-Share BlockRegression::ratio() const {
-  return estimated([](const VectorXd& c) { return c(0) / c(1); });
 }
 
 }  // namespace sinew::diagnosis

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "identification/regression/candidate.h"
@@ -42,8 +41,6 @@ class BlockRegression {
   void add_joint(const SmoothEfforts& log, Eigen::Index joint, const Eigen::MatrixXd& columns);
   /// Of the columns asked for.
   std::vector<Share> shares() const;
-  /// The first of them over the second: what shifts both alike is no error of it.
-  Share ratio() const;
 
  private:
   template <typename Function>
@@ -54,13 +51,6 @@ class BlockRegression {
   std::vector<Eigen::MatrixXd> gram_;
   std::vector<Eigen::VectorXd> target_;
 };
-
-/// Told within a twentieth of itself.
-bool is_known(const Share& share);
-
-/// What those that are known have in common, within a twelfth; nothing where fewer than two are
-/// known or they do not agree.
-std::optional<double> common_factor(const std::vector<Share>& shares);
 
 /// An armature, viscous and Coulomb friction and an offset of a joint's own: samples x 4.
 Eigen::MatrixXd own_drive(const Eigen::VectorXd& speed, const Eigen::VectorXd& acceleration);

@@ -41,8 +41,9 @@ struct CandidateOrigin {
 /// are all, or the motors' where tendons drive the joints; forces of the tendons.
 struct DrivenColumns {
   std::vector<int> positions, efforts, forces;
-  int load = -1;     ///< -1: none
-  int payload = -1;  ///< mass that is carried; -1: none is logged
+  int load = -1;                     ///< -1: none
+  int payload = -1;                  ///< mass that is carried; -1: none is logged
+  std::vector<int> scaled_to_model;  ///< efforts from currents whose constants the model gave
 };
 
 /// What a joint's position reads beside its motion, in the training logs together.

@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
-#include "identification/diagnosis/clustered_errors.h"
+#include "identification/subjects/column_readings.h"
 #include "identification/subjects/slow_recording.h"
 #include "identification/subjects/tendon_candidates.h"
 
@@ -19,21 +18,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// One log of a thousand has a column that is not what it says; every model is off by 3 % of what it
-// says anyway; a factor that no unit has is known to a twentieth of what it may be. Nothing hangs
-// on their digits: of 110 logs without a fault drawn for levers and wrists (tests/blind/truth) the
-// likeliest other reading is 9.5 nats short of being told or more, of 18 faults that show 24 over.
-constexpr double kOdds = 1e-3, kAnyway = 0.03, kFree = 0.05;
 // Limit of a radius, times the drawn one, as of the effect (symbolic/extension/wrist_effects.cpp).
 constexpr double kLargest = 2.0;
-
-/// One way in which a log may have been written.
-struct ColumnReading {
-  int column = 0, other = -1;  ///< channels of the log; other: exchanged with the first
-  double factor = 1.0;         ///< what is written over what is meant
-  std::string meaning;
-  double odds = 1.0;  ///< against a reading with a known factor
-};
 
 /// Of one sensor: the share of its variance that the model leaves over, and by how much the model's
 /// motion of it would have to be larger for the least of it.
@@ -51,13 +37,10 @@ SensorMatch match_of(const VectorXd& measured, const VectorXd& said) {
 
 /// Log likelihood of a sensor, its gain free as far as a drawing is.
 double evidence_of(const SensorMatch& match) {
-  const auto of_share = [](double share) {
-    return -0.5 * kStretches * std::log(share + kAnyway * kAnyway);
-  };
-  const double as_it_is = of_share(match.as_it_is);
+  const double as_it_is = evidence_of_share(match.as_it_is);
   if (!(match.gain > 1.0 / kLargest && match.gain < kLargest)) return as_it_is;
   const double off = std::log(match.gain) / kDrawnArm;
-  return std::max(as_it_is, of_share(match.scaled) - 0.5 * off * off);
+  return std::max(as_it_is, evidence_of_share(match.scaled) - 0.5 * off * off);
 }
 
 class RigJudge {
@@ -86,21 +69,14 @@ class RigJudge {
   /// The likeliest other reading, where it is likelier than the log as it is.
   std::optional<ColumnReading> other_reading() const {
     const std::vector<ColumnReading> all = readings();
-    const double count = static_cast<double>(all.size());
-    const double most = static_cast<double>(now_.size()) * evidence_of({0.0, 0.0, 1.0});
-    double best = as_logged_ - std::log(kOdds / count);
-    std::optional<ColumnReading> found;
-    if (most < best) return found;
-    for (const ColumnReading& reading : all) {
-      const double evidence = sum_of(matches(read_as(reading))) + std::log(reading.odds);
-      if (evidence <= best) continue;
-      best = evidence;
-      found = reading;
-    }
-    return found;
+    const double most = static_cast<double>(now_.size()) * evidence_of_share(0.0);
+    if (!is_worth_reading(most - as_logged_, all)) return std::nullopt;
+    return likelier_reading(all, as_logged_, [&](const ColumnReading& reading, double) {
+      return sum_of(matches(read_as(reading)));
+    });
   }
 
-  /// Of the sensors' motion, in percent.
+  /// Share of the sensors' motion.
   double left_now() const { return left(now_); }
   double left_by(const ColumnReading& reading) const { return left(matches(read_as(reading))); }
 
@@ -133,7 +109,7 @@ class RigJudge {
   static double left(const std::vector<SensorMatch>& matches) {
     double sum = 0.0;
     for (const SensorMatch& match : matches) sum += match.as_it_is;
-    return 100.0 * std::sqrt(sum / static_cast<double>(matches.size()));
+    return std::sqrt(sum / static_cast<double>(matches.size()));
   }
 
   sinew::Segment read_as(const ColumnReading& reading) const {
@@ -147,21 +123,17 @@ class RigJudge {
   std::vector<ColumnReading> readings() const {
     std::vector<ColumnReading> all;
     for (const int column : columns_) {
-      const Channel& channel = log_.channels[static_cast<std::size_t>(column)];
-      all.push_back({column, -1, -1.0, "its sign is reversed", 1.0});
-      for (const double factor :
-           {180.0 / std::numbers::pi, std::numbers::pi / 180.0, 1000.0, 0.001})
-        if (const UnitSlip slip = unit_slip_of(factor, channel.unit, 0.01); !slip.meaning.empty())
-          all.push_back({column, -1, factor, slip.meaning, 1.0});
+      for (const ColumnReading& slip : known_slips(log_, column)) all.push_back(slip);
+      const std::string& name = log_.channels[static_cast<std::size_t>(column)].name;
       for (std::size_t c = 0; c < rig_.channels.size(); ++c)
-        if (rig_.channels[c].name == channel.name && now_[c].gain != 0.0)
+        if (rig_.channels[c].name == name && now_[c].gain != 0.0)
           all.push_back({column, -1, now_[c].gain,
                          fmt::format("it is {:.3g} times what the model says", now_[c].gain),
-                         kFree});
+                         kRare});
     }
     for (std::size_t a = 0; a < columns_.size(); ++a)
       for (std::size_t b = a + 1; b < columns_.size(); ++b)
-        all.push_back({columns_[a], columns_[b], 1.0, "", 1.0});
+        all.push_back({columns_[a], columns_[b], 1.0, ""});
     return all;
   }
 
@@ -185,27 +157,8 @@ void judge_rig_columns(const Log& log, const ObservedRig& rig, const ObservedSub
   if (std::none_of(log.segments.begin(), log.segments.end(), is_long)) return;
   const RigJudge judge(log, rig, subject);
   const std::optional<ColumnReading> found = judge.other_reading();
-  if (!found) return;
-  const Channel& at = log.channels[static_cast<std::size_t>(found->column)];
-  const long row = log.segments.front().first_row;
-  const std::string evidence = fmt::format(
-      "with that the model leaves {:.2g} % of the sensors' motion over, and {:.3g} % as it is",
-      judge.left_by(*found), judge.left_now());
-  if (found->other >= 0) {
-    const Channel& other = log.channels[static_cast<std::size_t>(found->other)];
-    faults.add(FaultKind::swapped_columns, Severity::stop, row, row, at.column, at.name,
-               fmt::format("'{}' (column {}) and '{}' (column {}) are exchanged: {}", at.name,
-                           at.column, other.name, other.column, evidence),
-               fmt::format("name them rightly: --map \"{}=#{} [unit]\" --map \"{}=#{} [unit]\"",
-                           at.name, other.column, other.name, at.column));
-    return;
-  }
-  const bool turned = found->factor < 0.0;
-  faults.add(turned ? FaultKind::reversed_sign : FaultKind::unit_slip, Severity::stop, row, row,
-             at.column, at.name, fmt::format("'{}': {}; {}", at.name, found->meaning, evidence),
-             turned ? "the log is not used"
-                    : fmt::format("units are converted only when told: --map \"{}=#{} [unit]\"",
-                                  at.name, at.column));
+  if (found)
+    tell(log, *found, judge.left_by(*found), judge.left_now(), "the sensors' motion", faults);
 }
 
 }  // namespace sinew::diagnosis

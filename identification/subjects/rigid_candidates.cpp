@@ -238,6 +238,29 @@ MatrixXd RigidColumns::point_mass(const std::string& link, const Vector3d& centr
   return columns_of(group, log);
 }
 
+MatrixXd RigidColumns::body_columns(const std::string& link, const Recording& log) const {
+  const auto b = static_cast<Index>(body_of(link));
+  const Body& body = mechanism_.bodies[static_cast<std::size_t>(b)];
+  VectorXd mass = VectorXd::Zero(bodies_);
+  MatrixXd com = MatrixXd::Zero(bodies_, 3), inertia = MatrixXd::Zero(bodies_, 6);
+  mass(b) = body.mass;
+  com.row(b) = body.centre_of_mass.transpose();
+  const MatrixXd none = inertia;
+  const Eigen::Matrix3d& i = body.inertia;
+  inertia.row(b) << i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2);
+  Group group;
+  group.columns.push_back({parameters(mass, com, inertia, mechanism_.gravity), {}, 1.0});
+  const double reach = extent_of(link).second;
+  mass(b) = moving_mass_and_reach().first / static_cast<double>(moving_links().size());
+  for (Index k = 0; k < 3; ++k)
+    for (const double way : {reach, -reach}) {
+      MatrixXd beside = com;
+      beside(b, k) += way;
+      group.columns.push_back({parameters(mass, beside, none, mechanism_.gravity), {}, 1.0});
+    }
+  return columns_of(group, log);
+}
+
 MatrixXd RigidColumns::force_columns(const std::string& link, const Vector3d& point,
                                      const Recording& log) const {
   const sinew_function& function = compiled_->find("inverse_dynamics");
@@ -272,6 +295,15 @@ std::pair<Vector3d, double> RigidColumns::extent_of(const std::string& link) con
   for (const Frame& frame : mechanism_.frames)
     if (frame.body == link) farthest = std::max(farthest, (frame.pose.translation - centre).norm());
   return {centre, farthest};
+}
+
+std::pair<double, double> RigidColumns::moving_mass_and_reach() const {
+  double mass = 0.0, reach = 0.0;
+  for (const std::string& link : moving_links()) {
+    mass += mechanism_.bodies[body_of(link)].mass;
+    reach += extent_of(link).second;
+  }
+  return {mass, reach};
 }
 
 MatrixXd RigidColumns::effort(const Recording& log) const {

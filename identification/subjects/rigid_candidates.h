@@ -41,6 +41,12 @@ class RigidColumns {
   /// What a point mass of 1 kg at `centre` in the link's frame [m] asks: samples x coordinates.
   Eigen::MatrixXd point_mass(const std::string& link, const Eigen::Vector3d& centre,
                              const Recording& log) const;
+  /// What a link asks of the joints as it is drawn, and what the mass of a usual link of this
+  /// mechanism asks that sits beside its centre of mass either way along x, y and z, as far as the
+  /// link reaches (extent_of()): samples x (coordinates * kBodyColumns), those of one coordinate
+  /// together.
+  static constexpr Eigen::Index kBodyColumns = 7;
+  Eigen::MatrixXd body_columns(const std::string& link, const Recording& log) const;
   /// What an external force at a point of the link ([m], its frame) asks of the resting joints,
   /// -J^T e: samples x (3 * coordinates), those of a force along x of the base's frame together,
   /// then y and z. Reads the positions.
@@ -50,6 +56,8 @@ class RigidColumns {
   /// frames is that it carries.
   std::pair<Eigen::Vector3d, double> extent_of(const std::string& link) const;
   Eigen::Index coordinates() const { return coordinates_; }
+  /// Of the links that move together: mass [kg], and how far one after the other reaches [m].
+  std::pair<double, double> moving_mass_and_reach() const;
   /// Links that move with a joint, and of these the ones that carry no further link.
   std::vector<std::string> moving_links() const;
   std::vector<std::string> last_links() const;

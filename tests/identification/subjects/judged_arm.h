@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a judge of columns says of an arm's log.
+// What is wrong with the columns of an arm's log.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,24 +9,22 @@
 
 #include "identification/logs/data_faults.h"
 #include "identification/logs/read_csv.h"
-#include "identification/subjects/driven_subject.h"
+#include "identification/subjects/driven_readings.h"
 #include "symbolic/extension/driven_model.h"
 #include "tests/identification/subjects/arm_logs.h"
 #include "tests/reference/temporary_folder.h"
 
 namespace sinew::test {
 
-using ColumnJudge = void (*)(const Log&, const diagnosis::DrivenColumns&,
-                             const diagnosis::Recording&, const diagnosis::EffortModel&,
-                             FaultList&);
-
-/// The faults that `judge` finds in the log of an arm that is taken for `nominal`.
-inline std::vector<DataFault> faults_of(const Mechanism& nominal, const ArmLog& logged,
-                                        ColumnJudge judge) {
+/// The faults of columns in the log of an arm that is taken for `nominal`.
+inline std::vector<DataFault> faults_of(const Mechanism& nominal, const ArmLog& logged) {
   const reference::TemporaryFolder folder;
   const std::string path = (folder.path() / "log.csv").string();
   reference::write_text(path, csv(logged));
-  diagnosis::DrivenSubject subject(driven_model(nominal), {}, SINEW_SOURCE_DIR "/runtime");
+  const DrivenModel model = driven_model(nominal);
+  const std::string runtime = SINEW_SOURCE_DIR "/runtime";
+  const auto rigid = std::make_shared<const diagnosis::RigidColumns>(nominal, runtime);
+  diagnosis::DrivenSubject subject(model, {}, runtime, rigid);
   const Log log = read_csv(path, robot_channels(nominal));
   diagnosis::DrivenColumns columns;
   for (std::size_t j = 1; j <= nominal.joints.size(); ++j) {
@@ -35,7 +33,8 @@ inline std::vector<DataFault> faults_of(const Mechanism& nominal, const ArmLog& 
   }
   subject.add_log(log, columns, false);
   FaultList faults(path);
-  judge(log, columns, subject.problem().training.back(), subject.effort(), faults);
+  judge_driven_columns(log, columns, subject.problem().training.back(), model, subject.effort(),
+                       rigid.get(), runtime, faults);
   return faults.all();
 }
 

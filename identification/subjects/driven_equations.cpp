@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/subjects/driven_equations.h"
+
+#include <cmath>
+
+#include "identification/subjects/block_regression.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Expected of a drawing's masses, of a tendon's arm, and of a drive that the model is without: as
+// much as the whole mechanism weighs, or in shares of what the model asks of such coordinates.
+constexpr double kMass = 0.1, kArm = 0.05, kDrive = 10.0;
+constexpr double kGravity = 9.81;  // m/s^2
+constexpr Index kPerLink = RigidColumns::kBodyColumns;
+
+double rms_of(const VectorXd& x) {
+  return x.norm() / std::sqrt(std::max(1.0, static_cast<double>(x.size())));
+}
+
+/// Each body's own share, and what it may carry.
+std::vector<Unknown> unknowns_of_links(std::size_t columns) {
+  std::vector<Unknown> unknowns;
+  for (std::size_t k = 0; k < columns; ++k)
+    unknowns.push_back({k % kPerLink == 0 ? Unknown::Kind::share : Unknown::Kind::added, kMass});
+  return unknowns;
+}
+
+}  // namespace
+
+/// By the model, all coordinates: samples x coordinates each.
+struct DrivenEquations::Said {
+  MatrixXd rest, load, inertia, speed, links, all;
+};
+
+DrivenEquations::DrivenEquations(const DrivenModel& model, const EffortModel& effort,
+                                 const RigidColumns* rigid, Index efforts)
+    : model_(model),
+      effort_(effort),
+      rigid_(model.tendons.names.empty() ? rigid : nullptr),
+      coordinates_(static_cast<Index>(model.joints.size())),
+      measured_(model.tendons.names.empty() ? efforts : coordinates_),
+      by_tendons_(model.tendons.names.empty() ? 0 : coordinates_ - efforts) {}
+
+DrivenEquations::Said DrivenEquations::said_of(const Recording& r) const {
+  const MatrixXd none = MatrixXd::Zero(r.q.rows(), r.q.cols());
+  Said said;
+  const MatrixXd loaded = effort_(r, r.q, none, none);
+  said.rest = loaded;
+  if (r.load.size() > 0) {
+    Recording unloaded = r;
+    unloaded.load.setZero();
+    said.rest = effort_(unloaded, r.q, none, none);
+    said.load = loaded - said.rest;
+  }
+  const MatrixXd starting = effort_(r, r.q, none, r.qdd);
+  said.all = effort_(r, r.q, r.qd, r.qdd);
+  said.inertia = starting - loaded;
+  said.speed = said.all - starting;
+  if (!rigid_) return said;
+  // The links' part is asked for link by link.
+  Recording links;
+  const auto of_links = [&](const MatrixXd& qd, const MatrixXd& qdd) {
+    links.q = r.q;
+    links.qd = qd;
+    links.qdd = qdd;
+    return rigid_->effort(links);
+  };
+  const MatrixXd at_rest = of_links(none, none), started = of_links(none, r.qdd),
+                 moving = of_links(r.qd, r.qdd);
+  said.rest -= at_rest;
+  said.inertia -= started - at_rest;
+  said.speed -= moving - started;
+  said.links = links_at(r);
+  return said;
+}
+
+/// samples x (coordinates * links * kPerLink), those of one coordinate together.
+MatrixXd DrivenEquations::links_at(const Recording& r) const {
+  const std::vector<std::string> names = rigid_->moving_links();
+  const Index n = coordinates_, per = kPerLink * static_cast<Index>(names.size());
+  MatrixXd all(r.q.rows(), n * per);
+  Index link = 0;
+  for (const std::string& name : names) {
+    const MatrixXd columns = rigid_->body_columns(name, r);
+    for (Index c = 0; c < n; ++c)
+      all.middleCols(c * per + link * kPerLink, kPerLink) =
+          columns.middleCols(c * kPerLink, kPerLink);
+    ++link;
+  }
+  return all;
+}
+
+std::vector<EffortParts> DrivenEquations::parts_of(const Recording& recording) const {
+  const Said said = said_of(recording);
+  std::vector<EffortParts> parts;
+  for (Index i = 0; i < measured_; ++i) parts.push_back(parts_at(recording, said, i));
+  return parts;
+}
+
+EffortParts DrivenEquations::parts_at(const Recording& r, const Said& said, Index i) const {
+  const Index c = coordinate(i);
+  const VectorXd counts = in_motion(r.qd.col(c));
+  std::vector<Index> moving;
+  for (Index k = 0; k < counts.size(); ++k)
+    if (counts(k) > 0.0) moving.push_back(k);
+  EffortParts parts;
+  parts.measured = r.target[static_cast<std::size_t>(i)](moving);
+  parts.said = said.all.col(c)(moving);
+  if (said.load.size() > 0) parts.load = said.load.col(c)(moving);
+  const Index per = said.links.cols() / coordinates_;
+  parts.links = said.links(moving, Eigen::seqN(per * c, per));
+  parts.drive.resize(parts.said.size(), 3);
+  parts.drive << said.rest.col(c)(moving), said.inertia.col(c)(moving), said.speed.col(c)(moving);
+  parts.own = own_drive(r.qd.col(c), r.qdd.col(c))(moving, Eigen::seqN(0, 3));
+  if (i >= by_tendons_) return parts;
+  const MatrixXd& tension = r.signals.at("tension");
+  const MatrixXd& arms = r.signals.at("moment_arm");
+  parts.tendons.resize(parts.said.size(), tension.cols());
+  for (Index t = 0; t < tension.cols(); ++t)  // -P^T f
+    parts.tendons.col(t) = -arms.col(t * by_tendons_ + c).cwiseProduct(tension.col(t))(moving);
+  parts.guides = parts.tendons.cwiseProduct(r.signals.at("tendon_direction")(moving, Eigen::all));
+  return parts;
+}
+
+/// Efforts of one kind: of joints that turn, of those that slide, of motors.
+int DrivenEquations::kind_of(Index i) const {
+  const DrivenJoint& joint = model_.joints[static_cast<std::size_t>(coordinate(i))];
+  return joint.motor ? 2 : joint.revolute ? 1 : 0;
+}
+
+double DrivenEquations::usual(const std::vector<EffortParts>& parts, std::size_t i) const {
+  double squares = 0.0, count = 0.0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (kind_of(static_cast<Index>(k)) != kind_of(static_cast<Index>(i))) continue;
+    squares += parts[k].said.squaredNorm();
+    count += static_cast<double>(parts[k].said.size());
+  }
+  return std::sqrt(squares / std::max(1.0, count));
+}
+
+/// N m or N: what a drive may take that the model is without.
+double DrivenEquations::expected_drive(Index i, double usual) const {
+  if (!rigid_) return kDrive * usual;
+  const auto [mass, reach] = rigid_->moving_mass_and_reach();
+  return kGravity * mass * (kind_of(i) == 1 ? reach : 1.0);
+}
+
+EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usual, double drive,
+                                            std::size_t shared,
+                                            std::vector<Unknown>& unknowns) const {
+  EffortEquation equation{parts.measured, parts.said, {}};
+  for (std::size_t k = 0; k < shared; ++k)
+    equation.terms.push_back({static_cast<int>(k), parts.links.col(static_cast<Index>(k))});
+  const auto add = [&](const VectorXd& column, Unknown::Kind kind, double spread) {
+    if (!(column.squaredNorm() > 0.0)) return;
+    equation.terms.push_back({static_cast<int>(unknowns.size()), column});
+    unknowns.push_back({kind, spread});
+  };
+  if (parts.load.size() > 0) add(parts.load, Unknown::Kind::fixed, kOwnConstant);
+  for (Index k = 0; k < parts.drive.cols(); ++k)
+    add(parts.drive.col(k), Unknown::Kind::share, kAnyway);
+  for (Index k = 0; k < parts.own.cols(); ++k) {
+    const double size = rms_of(parts.own.col(k));
+    // What the model has of a drive it knows.
+    const bool has = parts.drive.col(k == 0 ? 1 : 2).squaredNorm() > 0.0;
+    if (size > 0.0)
+      add(parts.own.col(k) / size, Unknown::Kind::added, has ? kAnyway * usual : drive);
+  }
+  // Tendons pull against each other, by more than what moves the joint.
+  const double pulled = rms_of(parts.tendons.rowwise().norm());
+  add(VectorXd::Constant(parts.said.size(), std::max(usual, pulled)), Unknown::Kind::drawn,
+      kAnyway);
+  for (Index t = 0; t < parts.tendons.cols(); ++t) {
+    add(parts.tendons.col(t), Unknown::Kind::fixed, kArm);
+    add(parts.guides.col(t), Unknown::Kind::drawn, kAnyway);
+  }
+  return equation;
+}
+
+std::vector<double> DrivenEquations::evidence_each(const std::vector<EffortParts>& parts) const {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto shared = static_cast<std::size_t>(parts[i].links.cols());
+    std::vector<Unknown> unknowns = unknowns_of_links(shared);
+    const EffortEquation equation =
+        equation_of(parts[i], usual(parts, i),
+                    expected_drive(static_cast<Index>(i), usual(parts, i)), shared, unknowns);
+    all.push_back(evidence_of({equation}, unknowns));
+  }
+  return all;
+}
+
+double DrivenEquations::evidence(const std::vector<EffortParts>& parts) const {
+  if (parts.empty()) return 0.0;
+  const auto shared = static_cast<std::size_t>(parts.front().links.cols());
+  if (shared == 0) {
+    double sum = 0.0;
+    for (const double one : evidence_each(parts)) sum += one;
+    return sum;
+  }
+  std::vector<Unknown> unknowns = unknowns_of_links(shared);
+  std::vector<EffortEquation> equations;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    equations.push_back(equation_of(parts[i], usual(parts, i),
+                                    expected_drive(static_cast<Index>(i), usual(parts, i)), shared,
+                                    unknowns));
+  return evidence_of(equations, unknowns);
+}
+
+}  // namespace sinew::diagnosis

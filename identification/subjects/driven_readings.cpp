@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identification/subjects/driven_readings.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "identification/subjects/column_readings.h"
+#include "identification/subjects/driven_equations.h"
+#include "identification/subjects/logged_columns.h"
+
+namespace sinew::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr std::size_t kOfAnyKind = 30;  // columns, of which each may be exchanged with any other
+constexpr double kSilent = 1e9;         // a factor that leaves nothing of a column
+constexpr double kSlowest = 5.0;        // clock
+constexpr int kClocks = 20;             // tried each way
+
+/// By how much a column is too large, by least squares beside what a drive may have of its own.
+class Overlap {
+ public:
+  /// `column` times 1 / factor is `asked`.
+  void add(const VectorXd& column, const VectorXd& asked, const MatrixXd& own) {
+    const auto qr = own.colPivHouseholderQr();
+    const VectorXd a = column - own * qr.solve(column), b = asked - own * qr.solve(asked);
+    column_ += a.squaredNorm();
+    both_ += a.dot(b);
+    asked_ += b.squaredNorm();
+  }
+  /// What is asked being known exactly.
+  double of_noisy_column() const { return both_ / asked_; }
+  double of_noisy_asked() const { return column_ / both_; }
+
+ private:
+  double column_ = 0.0, both_ = 0.0, asked_ = 0.0;
+};
+
+class DrivenJudge {
+ public:
+  DrivenJudge(const Log& log, const SlowColumns& columns, const DrivenModel& model,
+              const DrivenEquations& equations)
+      : log_(log), columns_(columns), model_(model), equations_(equations) {
+    parts_ = equations.parts_of(columns.read_as(nullptr));
+    each_ = equations.evidence_each(parts_);
+    as_it_is_ = equations.evidence(parts_);
+  }
+
+  std::optional<ColumnReading> other_reading() const {
+    std::vector<ColumnReading> all = known_slips_of_all();
+    add_exchanges(all);
+    const double could_gain =
+        evidence_of_share(0.0) * static_cast<double>(equations_.measured()) - as_it_is_;
+    if (!is_worth_reading(could_gain, all)) return std::nullopt;
+    add_free_factors(all);
+    all.push_back(clock());
+    return likelier_reading(all, as_it_is_otherwise(all),
+                            [&](const ColumnReading& reading, double needed) {
+                              const double limit = most(reading);
+                              return limit < needed ? limit : evidence(reading);
+                            });
+  }
+
+  double left_now() const { return left(parts_); }
+  double left_by(const ColumnReading& reading) const {
+    return left(equations_.parts_of(columns_.read_as(&reading)));
+  }
+
+ private:
+  double evidence(const ColumnReading& reading) const {
+    return equations_.evidence(equations_.parts_of(columns_.read_as(&reading)));
+  }
+
+  /// Share of the efforts' standard deviation that the model leaves over as it stands.
+  static double left(const std::vector<EffortParts>& parts) {
+    double total = 0.0;
+    for (const EffortParts& p : parts) {
+      const VectorXd y = p.measured.array() - p.measured.mean();
+      VectorXd e = p.measured - p.said;
+      e.array() -= e.mean();
+      if (y.squaredNorm() > 0.0) total += e.squaredNorm() / y.squaredNorm();
+    }
+    return std::sqrt(total / static_cast<double>(parts.size()));
+  }
+
+  /// No reading can do better than explain all efforts that it touches, the others each by what
+  /// suits it best.
+  double most(const ColumnReading& reading) const {
+    double sum = 0.0;
+    for (Index i = 0; i < equations_.measured(); ++i)
+      sum += touches(reading, i) ? evidence_of_share(0.0) : each_[static_cast<std::size_t>(i)];
+    return sum;
+  }
+
+  bool touches(const ColumnReading& reading, Index i) const {
+    if (reading.column == ColumnReading::kClock || reading.all) return true;
+    const Index first = equations_.by_tendons();
+    const auto by = [&](int channel) {
+      const ColumnRole& role = columns_.role_of(channel);
+      if (role.quantity == Quantity::effort) return i == first + role.at;
+      if (role.quantity == Quantity::force) return i < first || i - first == role.at;
+      return true;
+    };
+    return by(reading.column) || (reading.other >= 0 && by(reading.other));
+  }
+
+  // ---- how it may have been written
+
+  std::vector<ColumnReading> known_slips_of_all() const {
+    std::vector<ColumnReading> all;
+    for (const ColumnRole& role : columns_.roles()) {
+      for (const ColumnReading& slip : known_slips(log_, role.channel)) {
+        if (slip.factor > 0.0 && !role.has_unit) continue;
+        all.push_back(slip);
+        if (!stands_for_all(role)) continue;
+        all.push_back(slip);
+        all.back().all = true;
+      }
+      for (const ColumnReading& slip : gear_slips(role)) all.push_back(slip);
+    }
+    return all;
+  }
+
+  bool stands_for_all(const ColumnRole& role) const {
+    return role.at == 0 && columns_.count_of(role.quantity) > 1 &&
+           (role.quantity == Quantity::effort || role.quantity == Quantity::force);
+  }
+
+  std::vector<ColumnReading> gear_slips(const ColumnRole& role) const {
+    std::vector<ColumnReading> slips;
+    if (role.quantity != Quantity::position && role.quantity != Quantity::effort) return slips;
+    if (!role.has_unit) return slips;
+    const bool position = role.quantity == Quantity::position;
+    const Index first =
+        static_cast<Index>(model_.joints.size()) - columns_.count_of(Quantity::effort);
+    const DrivenJoint& joint =
+        model_.joints[static_cast<std::size_t>(position ? role.at : first + role.at)];
+    if (!joint.revolute) return slips;
+    if (position)
+      slips.push_back({role.channel, -1, 0.5 / std::numbers::pi, "turns taken for radians"});
+    if (joint.motor || joint.motor_turn <= 0.0) return slips;
+    const double gear = 2.0 * std::numbers::pi / joint.motor_turn;
+    slips.push_back(
+        {role.channel, -1, position ? gear : 1.0 / gear,
+         fmt::format("the motor's {} taken for the output's, the gear's ratio is {:.4g}",
+                     position ? "angle" : "torque", gear)});
+    return slips;
+  }
+
+  void add_exchanges(std::vector<ColumnReading>& all) const {
+    const std::vector<ColumnRole>& roles = columns_.roles();
+    for (std::size_t a = 0; a < roles.size(); ++a)
+      for (std::size_t b = a + 1; b < roles.size(); ++b)
+        if (const bool alike = roles[a].quantity == roles[b].quantity;
+            alike || roles.size() <= kOfAnyKind)
+          all.push_back({roles[a].channel, roles[b].channel, 1.0, "", alike ? 1.0 : kRare});
+  }
+
+  /// Factors with which what the model says and what is measured go together best.
+  void add_free_factors(std::vector<ColumnReading>& all) const {
+    for (const ColumnRole& role : columns_.roles()) {
+      if (!role.has_unit) continue;
+      const std::optional<double> own = free_factor(role, false);
+      if (own) all.push_back(times(role.channel, *own, false));
+      if (!own || !stands_for_all(role)) continue;
+      if (const std::optional<double> common = free_factor(role, true))
+        all.push_back(times(role.channel, *common, true));
+    }
+  }
+
+  static ColumnReading times(int channel, double factor, bool all) {
+    return {channel, -1, factor, fmt::format("it is {:.3g} times what the model says", factor),
+            kRare,   all};
+  }
+
+  std::optional<double> free_factor(const ColumnRole& role, bool all) const {
+    Overlap overlap;
+    const Index first = equations_.by_tendons();
+    for (Index i = 0; i < equations_.measured(); ++i) {
+      const EffortParts& p = parts_[static_cast<std::size_t>(i)];
+      if (role.quantity == Quantity::effort && i >= first && (all || i == first + role.at))
+        overlap.add(p.measured, p.said, p.own);
+      if (role.quantity == Quantity::force && i < first) {
+        const VectorXd x = all ? VectorXd(p.measured) : VectorXd(p.tendons.col(role.at));
+        overlap.add(x, p.said - (p.measured - x), p.own);
+      }
+      if (role.quantity == Quantity::load && p.load.size() > 0)
+        overlap.add(p.load, p.measured - (p.said - p.load), p.own);
+    }
+    const double factor =
+        role.quantity == Quantity::effort ? overlap.of_noisy_column() : overlap.of_noisy_asked();
+    const double size = std::abs(factor);
+    return size > 1e-4 && size < 1e4 ? std::optional(factor) : std::nullopt;
+  }
+
+  /// The likeliest factor of the clock.
+  ColumnReading clock() const {
+    ColumnReading best{ColumnReading::kClock, -1, 1.0, "", kRare};
+    double most_likely = as_it_is_;
+    const auto offer = [&](double factor) {
+      const ColumnReading reading{ColumnReading::kClock, -1, factor, "", kRare};
+      const double here = evidence(reading);
+      if (here > most_likely) most_likely = here, best = reading;
+    };
+    const double apart = std::log(kSlowest) / kClocks;
+    for (int k = -kClocks; k <= kClocks; ++k) offer(std::exp(apart * k));
+    for (double near = 0.5 * apart; near > 1e-3; near *= 0.5) {
+      const double middle = best.factor;
+      for (const double off : {-near, near}) offer(middle * std::exp(off));
+    }
+    return best;
+  }
+
+  /// The log as it is, of a machine whose own constants may be off, or one of whose forces does
+  /// something that nobody knows: a reading that makes next to nothing of a column says no more.
+  double as_it_is_otherwise(const std::vector<ColumnReading>& all) const {
+    double best = as_it_is_;
+    const auto offer = [&](const ColumnReading& reading, double price) {
+      if (most(reading) - price > best) best = std::max(best, evidence(reading) - price);
+    };
+    for (const ColumnRole& role : columns_.roles())
+      if (role.quantity == Quantity::force) offer({role.channel, -1, kSilent, ""}, 0.0);
+    for (const ColumnReading& reading : all) {
+      if (reading.factor == 1.0 || reading.column == ColumnReading::kClock ||
+          !(reading.factor > 0.0))
+        continue;
+      const double off = std::log(reading.factor) / kOwnConstant;
+      const Index constants =
+          reading.all ? columns_.count_of(columns_.role_of(reading.column).quantity) : 1;
+      offer(reading, 0.5 * off * off * static_cast<double>(constants));
+    }
+    return best;
+  }
+
+  const Log& log_;
+  const SlowColumns& columns_;
+  const DrivenModel& model_;
+  const DrivenEquations& equations_;
+  std::vector<EffortParts> parts_;  ///< as the log is
+  std::vector<double> each_;
+  double as_it_is_ = 0.0;
+};
+
+}  // namespace
+
+void judge_driven_columns(const Log& log, const DrivenColumns& columns, const Recording& recording,
+                          const DrivenModel& model, const EffortModel& effort,
+                          const RigidColumns* rigid, const std::filesystem::path& runtime,
+                          FaultList& faults) {
+  std::optional<TendonColumns> tendons;
+  if (!columns.forces.empty()) tendons.emplace(model, runtime);
+  const SlowColumns slow(columns, recording, model, tendons ? &*tendons : nullptr);
+  if (!slow.is_long_enough()) return;
+  const DrivenEquations equations(model, effort, rigid, static_cast<Index>(columns.efforts.size()));
+  if (equations.measured() == 0) return;
+  const DrivenJudge judge(log, slow, model, equations);
+  const std::optional<ColumnReading> found = judge.other_reading();
+  if (found) tell(log, *found, judge.left_by(*found), judge.left_now(), "the efforts", faults);
+}
+
+}  // namespace sinew::diagnosis
