@@ -108,6 +108,8 @@ class DrivenJudge {
       const ColumnRole& role = columns_.role_of(channel);
       if (role.quantity == Quantity::effort) return i == first + role.at;
       if (role.quantity == Quantity::force) return i < first || i - first == role.at;
+      // A motor on a tendon moves nothing but itself.
+      if (role.quantity == Quantity::position && first > 0 && role.at >= first) return i == role.at;
       return true;
     };
     return by(reading.column) || (reading.other >= 0 && by(reading.other));
@@ -160,9 +162,16 @@ class DrivenJudge {
     const std::vector<ColumnRole>& roles = columns_.roles();
     for (std::size_t a = 0; a < roles.size(); ++a)
       for (std::size_t b = a + 1; b < roles.size(); ++b)
-        if (const bool alike = roles[a].quantity == roles[b].quantity;
-            alike || roles.size() <= kOfAnyKind)
+        if (const bool alike = are_alike(roles[a], roles[b]); alike || roles.size() <= kOfAnyKind)
           all.push_back({roles[a].channel, roles[b].channel, 1.0, "", alike ? 1.0 : kRare});
+  }
+
+  /// Of one quantity, at joints or at motors.
+  bool are_alike(const ColumnRole& a, const ColumnRole& b) const {
+    if (a.quantity != b.quantity) return false;
+    if (a.quantity != Quantity::position) return true;
+    return model_.joints[static_cast<std::size_t>(a.at)].motor ==
+           model_.joints[static_cast<std::size_t>(b.at)].motor;
   }
 
   /// Factors with which what the model says and what is measured go together best.
