@@ -15,7 +15,8 @@ using Eigen::VectorXd;
 // Expected of a drawing's masses, of a tendon's arm, and of a drive that the model is without: as
 // much as the whole mechanism weighs, or in shares of what the model asks of such coordinates.
 constexpr double kMass = 0.1, kArm = 0.05, kDrive = 10.0;
-constexpr double kGravity = 9.81;  // m/s^2
+constexpr double kGravity = 9.81;       // m/s^2
+constexpr std::size_t kMostLinks = 10;  // that are told apart: an arm's or a finger's, not a hand's
 constexpr Index kPerLink = RigidColumns::kBodyColumns;
 
 double rms_of(const VectorXd& x) {
@@ -23,9 +24,9 @@ double rms_of(const VectorXd& x) {
 }
 
 /// Each body's own share, and what it may carry.
-std::vector<Unknown> unknowns_of_links(std::size_t columns) {
+std::vector<Unknown> unknowns_of_links(Index columns) {
   std::vector<Unknown> unknowns;
-  for (std::size_t k = 0; k < columns; ++k)
+  for (Index k = 0; k < columns; ++k)
     unknowns.push_back({k % kPerLink == 0 ? Unknown::Kind::share : Unknown::Kind::added, kMass});
   return unknowns;
 }
@@ -41,7 +42,7 @@ DrivenEquations::DrivenEquations(const DrivenModel& model, const EffortModel& ef
                                  const RigidColumns* rigid, Index efforts)
     : model_(model),
       effort_(effort),
-      rigid_(model.tendons.names.empty() ? rigid : nullptr),
+      rigid_(rigid && rigid->moving_links().size() <= kMostLinks ? rigid : nullptr),
       coordinates_(static_cast<Index>(model.joints.size())),
       measured_(model.tendons.names.empty() ? efforts : coordinates_),
       by_tendons_(model.tendons.names.empty() ? 0 : coordinates_ - efforts) {}
@@ -72,9 +73,10 @@ DrivenEquations::Said DrivenEquations::said_of(const Recording& r) const {
   };
   const MatrixXd at_rest = of_links(none, none), started = of_links(none, r.qdd),
                  moving = of_links(r.qd, r.qdd);
-  said.rest -= at_rest;
-  said.inertia -= started - at_rest;
-  said.speed -= moving - started;
+  const Index n = rigid_->coordinates();
+  said.rest.leftCols(n) -= at_rest;
+  said.inertia.leftCols(n) -= started - at_rest;
+  said.speed.leftCols(n) -= moving - started;
   said.links = links_at(r);
   return said;
 }
@@ -82,7 +84,7 @@ DrivenEquations::Said DrivenEquations::said_of(const Recording& r) const {
 /// samples x (coordinates * links * kPerLink), those of one coordinate together.
 MatrixXd DrivenEquations::links_at(const Recording& r) const {
   const std::vector<std::string> names = rigid_->moving_links();
-  const Index n = coordinates_, per = kPerLink * static_cast<Index>(names.size());
+  const Index n = rigid_->coordinates(), per = kPerLink * static_cast<Index>(names.size());
   MatrixXd all(r.q.rows(), n * per);
   Index link = 0;
   for (const std::string& name : names) {
@@ -112,8 +114,10 @@ EffortParts DrivenEquations::parts_at(const Recording& r, const Said& said, Inde
   parts.measured = r.target[static_cast<std::size_t>(i)](moving);
   parts.said = said.all.col(c)(moving);
   if (said.load.size() > 0) parts.load = said.load.col(c)(moving);
-  const Index per = said.links.cols() / coordinates_;
-  parts.links = said.links(moving, Eigen::seqN(per * c, per));
+  const Index of_links = rigid_ ? rigid_->coordinates() : 0;
+  const Index per = c < of_links ? said.links.cols() / of_links : 0;
+  parts.links.resize(parts.said.size(), per);
+  if (per > 0) parts.links = said.links(moving, Eigen::seqN(per * c, per));
   parts.drive.resize(parts.said.size(), 3);
   parts.drive << said.rest.col(c)(moving), said.inertia.col(c)(moving), said.speed.col(c)(moving);
   parts.own = own_drive(r.qd.col(c), r.qdd.col(c))(moving, Eigen::seqN(0, 3));
@@ -145,17 +149,16 @@ double DrivenEquations::usual(const std::vector<EffortParts>& parts, std::size_t
 
 /// N m or N: what a drive may take that the model is without.
 double DrivenEquations::expected_drive(Index i, double usual) const {
-  if (!rigid_) return kDrive * usual;
+  if (!rigid_ || kind_of(i) == 2) return kDrive * usual;
   const auto [mass, reach] = rigid_->moving_mass_and_reach();
   return kGravity * mass * (kind_of(i) == 1 ? reach : 1.0);
 }
 
 EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usual, double drive,
-                                            std::size_t shared,
                                             std::vector<Unknown>& unknowns) const {
   EffortEquation equation{parts.measured, parts.said, {}};
-  for (std::size_t k = 0; k < shared; ++k)
-    equation.terms.push_back({static_cast<int>(k), parts.links.col(static_cast<Index>(k))});
+  for (Index k = 0; k < parts.links.cols(); ++k)
+    equation.terms.push_back({static_cast<int>(k), parts.links.col(k)});
   const auto add = [&](const VectorXd& column, Unknown::Kind kind, double spread) {
     if (!(column.squaredNorm() > 0.0)) return;
     equation.terms.push_back({static_cast<int>(unknowns.size()), column});
@@ -182,34 +185,36 @@ EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usu
   return equation;
 }
 
+double DrivenEquations::evidence_alone(const std::vector<EffortParts>& parts, std::size_t i) const {
+  std::vector<Unknown> unknowns = unknowns_of_links(parts[i].links.cols());
+  const double asked = usual(parts, i);
+  const EffortEquation equation =
+      equation_of(parts[i], asked, expected_drive(static_cast<Index>(i), asked), unknowns);
+  return evidence_of({equation}, unknowns);
+}
+
 std::vector<double> DrivenEquations::evidence_each(const std::vector<EffortParts>& parts) const {
   std::vector<double> all;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto shared = static_cast<std::size_t>(parts[i].links.cols());
-    std::vector<Unknown> unknowns = unknowns_of_links(shared);
-    const EffortEquation equation =
-        equation_of(parts[i], usual(parts, i),
-                    expected_drive(static_cast<Index>(i), usual(parts, i)), shared, unknowns);
-    all.push_back(evidence_of({equation}, unknowns));
-  }
+  for (std::size_t i = 0; i < parts.size(); ++i) all.push_back(evidence_alone(parts, i));
   return all;
 }
 
+/// Efforts have nothing in common but the links.
 double DrivenEquations::evidence(const std::vector<EffortParts>& parts) const {
-  if (parts.empty()) return 0.0;
-  const auto shared = static_cast<std::size_t>(parts.front().links.cols());
-  if (shared == 0) {
-    double sum = 0.0;
-    for (const double one : evidence_each(parts)) sum += one;
-    return sum;
+  double sum = 0.0;
+  std::vector<Unknown> unknowns;
+  std::vector<EffortEquation> joined;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].links.cols() == 0) {
+      sum += evidence_alone(parts, i);
+      continue;
+    }
+    if (joined.empty()) unknowns = unknowns_of_links(parts[i].links.cols());
+    const double asked = usual(parts, i);
+    joined.push_back(
+        equation_of(parts[i], asked, expected_drive(static_cast<Index>(i), asked), unknowns));
   }
-  std::vector<Unknown> unknowns = unknowns_of_links(shared);
-  std::vector<EffortEquation> equations;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    equations.push_back(equation_of(parts[i], usual(parts, i),
-                                    expected_drive(static_cast<Index>(i), usual(parts, i)), shared,
-                                    unknowns));
-  return evidence_of(equations, unknowns);
+  return joined.empty() ? sum : sum + evidence_of(joined, unknowns);
 }
 
 }  // namespace sinew::diagnosis

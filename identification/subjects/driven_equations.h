@@ -56,7 +56,8 @@ class DrivenEquations {
   int kind_of(Eigen::Index i) const;
   double expected_drive(Eigen::Index i, double usual) const;
   EffortEquation equation_of(const EffortParts& parts, double usual, double drive,
-                             std::size_t shared, std::vector<Unknown>& unknowns) const;
+                             std::vector<Unknown>& unknowns) const;
+  double evidence_alone(const std::vector<EffortParts>& parts, std::size_t i) const;
 
   const DrivenModel& model_;
   const EffortModel& effort_;
