@@ -7,6 +7,7 @@
 
 #include "identification/logs/filter.h"
 #include "identification/subjects/driven_subject.h"
+#include "identification/subjects/slow_recording.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -15,14 +16,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kHighest = 10.0;    // Hz
 constexpr Index kTimeBlocks = 10;    // of a log
 constexpr double kStandstill = 0.1;  // of the joint's rms speed: there its friction is anything
 
 }  // namespace
 
 SmoothEfforts smooth_efforts(const Recording& log, const EffortModel& model) {
-  const double cutoff = std::min(kHighest, 0.1 / log.step);
+  const double cutoff = column_cutoff(log.step);
   const auto end = static_cast<Index>(std::ceil(driven_edge / log.step));
   const Index rows = std::max<Index>(0, log.q.rows() - 2 * end);
   MatrixXd measured(log.q.rows(), static_cast<Index>(log.target.size()));

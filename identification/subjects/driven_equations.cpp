@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "identification/logs/signal_relations.h"
 #include "identification/subjects/block_regression.h"
 
 namespace sinew::diagnosis {
@@ -18,10 +19,6 @@ constexpr double kMass = 0.1, kArm = 0.05, kDrive = 10.0;
 constexpr double kGravity = 9.81;       // m/s^2
 constexpr std::size_t kMostLinks = 10;  // that are told apart: an arm's or a finger's, not a hand's
 constexpr Index kPerLink = RigidColumns::kBodyColumns;
-
-double rms_of(const VectorXd& x) {
-  return x.norm() / std::sqrt(std::max(1.0, static_cast<double>(x.size())));
-}
 
 /// Each body's own share, and what it may carry.
 std::vector<Unknown> unknowns_of_links(Index columns) {
@@ -168,14 +165,15 @@ EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usu
   for (Index k = 0; k < parts.drive.cols(); ++k)
     add(parts.drive.col(k), Unknown::Kind::share, kAnyway);
   for (Index k = 0; k < parts.own.cols(); ++k) {
-    const double size = rms_of(parts.own.col(k));
+    const double size = rms(parts.own.col(k).array());
     // What the model has of a drive it knows.
     const bool has = parts.drive.col(k == 0 ? 1 : 2).squaredNorm() > 0.0;
     if (size > 0.0)
       add(parts.own.col(k) / size, Unknown::Kind::added, has ? kAnyway * usual : drive);
   }
   // Tendons pull against each other, by more than what moves the joint.
-  const double pulled = rms_of(parts.tendons.rowwise().norm());
+  const double pulled =
+      parts.tendons.cols() > 0 ? rms(parts.tendons.rowwise().norm().array()) : 0.0;
   add(VectorXd::Constant(parts.said.size(), std::max(usual, pulled)), Unknown::Kind::drawn,
       kAnyway);
   for (Index t = 0; t < parts.tendons.cols(); ++t) {

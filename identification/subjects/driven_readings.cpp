@@ -12,7 +12,7 @@
 
 #include "identification/subjects/column_readings.h"
 #include "identification/subjects/driven_equations.h"
-#include "identification/subjects/logged_columns.h"
+#include "identification/subjects/slow_columns.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -149,7 +149,7 @@ class DrivenJudge {
     if (!joint.revolute) return slips;
     if (position)
       slips.push_back({role.channel, -1, 0.5 / std::numbers::pi, "turns taken for radians"});
-    if (joint.motor || joint.motor_turn <= 0.0) return slips;
+    if (joint.motor_turn <= 0.0) return slips;
     const double gear = 2.0 * std::numbers::pi / joint.motor_turn;
     slips.push_back(
         {role.channel, -1, position ? gear : 1.0 / gear,

@@ -15,17 +15,20 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index fewest_rows = 200;
 constexpr double highest_cutoff = 10.0;  // Hz
 
 }  // namespace
+
+double column_cutoff(double step) {
+  return std::min(highest_cutoff, 0.1 / step);
+}
 
 Recording slow_recording(const Recording& recording) {
   Recording slow;
   const auto end = static_cast<Index>(std::ceil(driven_edge / recording.step));
   const Index rows = recording.q.rows() - 2 * end;
-  if (rows < fewest_rows) return slow;
-  const double cutoff = std::min(highest_cutoff, 0.1 / recording.step);
+  if (rows < kFewestPoints) return slow;
+  const double cutoff = column_cutoff(recording.step);
   const Index stride = std::max<Index>(1, rows / kMostPoints), count = (rows - 1) / stride + 1;
   const auto thinned = [&](const MatrixXd& x) -> MatrixXd {
     return x(Eigen::seqN(end, count, stride), Eigen::all);

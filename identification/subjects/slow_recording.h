@@ -9,6 +9,12 @@ namespace sinew::diagnosis {
 /// Samples at which columns are told apart.
 inline constexpr Eigen::Index kMostPoints = 4000;
 
+/// Above that nothing is looked at, at a sampling period [s]: cut-off [Hz].
+double column_cutoff(double step);
+
+/// Fewer samples than that tell nothing.
+inline constexpr Eigen::Index kFewestPoints = 200;
+
 /// Motion, targets, loads, payloads and tensions below 10 Hz, at most some kMostPoints samples,
 /// away from the ends. Moment arms go along. q is empty where too little is left.
 Recording slow_recording(const Recording& recording);

@@ -84,7 +84,7 @@ TEST_CASE("a wrong column of a tendon-driven finger is found by the model and na
   }
 }
 
-TEST_CASE("a finger that lacks something is no faulty log") {
+TEST_CASE("a finger that lacks something is no faulty log", "[slow]") {
   const test::TendonFingerLog finger;
   CHECK(stops(finger, [](Recording&) {}).empty());
   CHECK(stops(finger, [](Recording& r) { r.signals["tension"].col(4).array() += 8.0; }).empty());
@@ -130,7 +130,7 @@ TEST_CASE("a channel of which the model explains less than half is told") {
   CHECK(faults_at(0.2).empty());
 }
 
-TEST_CASE("a factor or a sign of one force is told with its column") {
+TEST_CASE("a factor or a sign of one force is told with its column", "[slow]") {
   // Seen to fail where what pulls at rest told nothing (offsets free): a factor of 3 of the first
   // force passes, and the antagonist's is told for a half.
   const test::TendonFingerLog finger;
@@ -144,7 +144,7 @@ TEST_CASE("a factor or a sign of one force is told with its column") {
     }
 }
 
-TEST_CASE("a finger with a weak sensor, friction or an offset has no factor of its own") {
+TEST_CASE("a finger with a weak sensor, friction or an offset has no factor of its own", "[slow]") {
   // Seen to fail without kSilent: the friction is told as millinewtons.
   const test::TendonFingerLog finger;
   const auto force = [](Recording& r) -> MatrixXd& { return r.signals["tension"]; };

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identification/subjects/logged_columns.h"
+#include "identification/subjects/slow_columns.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "identification/logs/filter.h"
+#include "identification/subjects/slow_recording.h"
 
 namespace sinew::diagnosis {
 namespace {
@@ -13,8 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kFastest = 10.0;  // Hz
-constexpr Index kFewest = 200, kMost = 400;
+constexpr Index kMost = 400;  // samples: a model is worked out there for every reading
 
 }  // namespace
 
@@ -34,12 +34,12 @@ SlowColumns::SlowColumns(const DrivenColumns& columns, const Recording& recordin
                                role.channel) == 0;
   const auto end = static_cast<Index>(std::ceil(driven_edge / recording.step));
   const Index rows = recording.q.rows() - 2 * end;
-  if (rows < kFewest) return;
+  if (rows < kFewestPoints) return;
   const Index stride = std::max<Index>(1, rows / kMost), count = (rows - 1) / stride + 1;
   const auto thinned = [&](const MatrixXd& x) -> MatrixXd {
     return x(Eigen::seqN(end, count, stride), Eigen::all);
   };
-  const double cutoff = std::min(kFastest, 0.1 / recording.step);
+  const double cutoff = column_cutoff(recording.step);
   const Motion all = differentiate(taken_from(recording), recording.step, cutoff);
   logged_ = {thinned(all.q), thinned(all.qd), thinned(all.qdd)};
   template_.step = recording.step * static_cast<double>(stride);
@@ -50,7 +50,7 @@ SlowColumns::SlowColumns(const DrivenColumns& columns, const Recording& recordin
 }
 
 bool SlowColumns::is_long_enough() const {
-  return logged_.x.rows() >= kFewest;
+  return logged_.x.rows() >= kFewestPoints;
 }
 
 void SlowColumns::add_roles(Quantity quantity, const std::vector<int>& channels) {
