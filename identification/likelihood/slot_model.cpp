@@ -33,6 +33,17 @@ MatrixXd lower_times(const MatrixXd& lower, const MatrixXd& right) {
   return product;
 }
 
+/// Of columns that mostly stand side by side.
+MatrixXd inner_products(const MatrixXd& rows, const std::vector<Index>& at) {
+  const auto wide = static_cast<Index>(at.size());
+  if (at.back() - at.front() + 1 != wide || !std::is_sorted(at.begin(), at.end())) {
+    const MatrixXd own = rows(Eigen::all, at);
+    return own.transpose() * own;
+  }
+  const auto own = rows.middleCols(at.front(), wide);
+  return own.transpose() * own;
+}
+
 /// Of all slots one below the other.
 MatrixXd cross_rows(const std::vector<const MatrixXd*>& cross) {
   Index rows = 0;
@@ -71,12 +82,14 @@ const Hypothesis& SlotModel::hypothesis_of(int entry) const {
 /// Those whose columns can meet one of the region's.
 SlotModel::RegionEntries SlotModel::entries_meeting(int region) const {
   RegionEntries list;
+  list.places.resize(entries_.size());
   Index next = 0;
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     list.first.push_back(next);
     const int own = regions_[e];
     if (region != Regions::kEverywhere && own != Regions::kEverywhere && own != region) continue;
     list.entries.push_back(static_cast<int>(e));
+    list.places[e] = errors_.moments().regions().places(region, entries_[e].columns);
     next += entries_[e].alone.gram.size();
   }
   list.first.push_back(next);
@@ -147,14 +160,15 @@ SlotModel::Fit SlotModel::fit(const Slots& slots, int region) const {
 }
 
 SlotModel::Fit SlotModel::fit_with(Fit f, int entry, double variance) const {
-  ConditionalMoments m = conditional(entry, f);
+  const MatrixXd cross = cross_of(f, entry);
+  ConditionalMoments m =
+      meets(f.region, entry) ? conditional(entry, f) : elsewhere(entry, cross, f);
   m.gram.diagonal().array() += 1.0 / variance;
   const Eigen::LLT<MatrixXd> factor(m.gram);
   const Index count = f.coefficients.size(), wide = m.target.size();
-  const std::vector<Index> at = errors_.moments().regions().places(f.region, columns_of(entry));
   const MatrixXd& own = products(f.region, entry);
   // What of the model's coefficients one of the entry's takes.
-  const MatrixXd taken = f.inverse * cross_of(f, at);
+  const MatrixXd taken = f.inverse * cross;
   const MatrixXd rows = factor.matrixL().solve(own - combined(f, taken.transpose()));
   f.target -= rows.transpose() * factor.matrixL().solve(m.target);
   take(rows, 1.0, f);
@@ -190,18 +204,22 @@ SlotModel::Fit SlotModel::fit_without(Fit f, std::size_t slot) const {
     if (c < first || c >= first + wide) kept.push_back(c);
   f.coefficients = VectorXd((f.coefficients - alone.transpose() * size)(kept));
   f.inverse = MatrixXd((f.inverse - alone.transpose() * alone)(kept, kept));
+  ++f.given_back;
   f.cross.erase(f.cross.begin() + at);
   f.slots.entries.erase(f.slots.entries.begin() + at);
   f.slots.variances.erase(f.slots.variances.begin() + at);
   return f;
 }
 
-MatrixXd SlotModel::cross_of(const Fit& f, const std::vector<Index>& at) const {
+MatrixXd SlotModel::cross_of(const Fit& f, int entry) const {
+  const int region = meets(f.region, entry) ? f.region : region_of(entry);
+  const std::vector<Index>& at = places(region, entry);
   MatrixXd cross(f.coefficients.size(), static_cast<Index>(at.size()));
   Index first = 0;
-  for (const MatrixXd* own : f.cross) {
-    cross.middleRows(first, own->rows()) = (*own)(Eigen::all, at);
-    first += own->rows();
+  for (const int slot : f.slots.entries) {
+    const MatrixXd& own = products(region, slot);
+    cross.middleRows(first, own.rows()) = own(Eigen::all, at);
+    first += own.rows();
   }
   return cross;
 }
@@ -220,11 +238,13 @@ void SlotModel::take(const MatrixXd& rows, double sign, Fit& f) const {
   const RegionEntries& list = entries_in(f.region);
   inner_loop(list.entries.size(), [&](std::size_t i) {
     const auto e = static_cast<std::size_t>(list.entries[i]);
-    const std::vector<Index>& columns = entries_[e].columns;
-    const auto wide = static_cast<Index>(columns.size());
-    const MatrixXd own = rows(Eigen::all, errors_.moments().regions().places(f.region, columns));
-    MatrixXd::Map(f.grams.data() + list.first[e], wide, wide).noalias() -=
-        sign * (own.transpose() * own);
+    const std::vector<Index>& at = list.places[e];
+    double* const left = f.grams.data() + list.first[e];
+    const auto wide = static_cast<Index>(at.size());
+    if (wide == 1)
+      *left -= sign * rows.col(at.front()).squaredNorm();
+    else
+      MatrixXd::Map(left, wide, wide) -= sign * inner_products(rows, at);
   });
 }
 
@@ -232,11 +252,17 @@ void SlotModel::take(const MatrixXd& rows, double sign, Fit& f) const {
 ConditionalMoments SlotModel::conditional(int entry, const Fit& given) const {
   const auto e = static_cast<std::size_t>(entry);
   const ConditionalMoments& alone = entries_[e].alone;
-  const std::vector<Index> at =
-      errors_.moments().regions().places(given.region, entries_[e].columns);
+  const std::vector<Index>& at = places(given.region, entry);
   const auto wide = static_cast<Index>(at.size());
   return {MatrixXd::Map(given.grams.data() + entries_in(given.region).first[e], wide, wide),
           given.target(at), alone.low, alone.high};
+}
+
+/// The same of an entry that the fit's region does not meet. `cross`: cross_of() it.
+ConditionalMoments SlotModel::elsewhere(int entry, const MatrixXd& cross, const Fit& given) const {
+  const ConditionalMoments& alone = entries_[static_cast<std::size_t>(entry)].alone;
+  return {alone.gram - cross.transpose() * given.inverse * cross,
+          alone.target - cross.transpose() * given.coefficients, alone.low, alone.high};
 }
 
 /// What the model spans already has nothing to say for itself.
@@ -336,9 +362,8 @@ bool SlotModel::stays_possible(const Fit& f, int entry, double variance) const {
   const VectorXd own_variance = factor.solve(MatrixXd::Identity(own.size(), own.size())).diagonal();
   if (!is_possible(entry, own, own_variance.cwiseSqrt())) return false;
   if (f.slots.entries.empty()) return true;
-  const std::vector<Index> at = errors_.moments().regions().places(f.region, columns_of(entry));
   // What of the model's coefficients one of the entry's takes.
-  const MatrixXd taken = f.inverse * cross_of(f, at);
+  const MatrixXd taken = f.inverse * cross_of(f, entry);
   const VectorXd more =
       taken.cwiseProduct(factor.solve(taken.transpose()).transpose()).rowwise().sum();
   return is_possible(f.slots.entries, f.coefficients - taken * own, f.inverse.diagonal() + more);

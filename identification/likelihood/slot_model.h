@@ -51,6 +51,7 @@ class SlotModel {
     Eigen::VectorXd coefficients;
     Eigen::VectorXd target;  ///< products of the columns with what is left over
     Eigen::VectorXd grams;   ///< what is left of the Gram matrices of the region's entries, in turn
+    int given_back = 0;      ///< slots that went since it was made from nothing
   };
 
   /// `banned`: hypotheses that are not to be taken.
@@ -84,22 +85,30 @@ class SlotModel {
   Eigen::VectorXd coefficients(const Slots& slots, std::size_t slot) const;
 
  private:
-  /// Entries that meet a region, and where each one's matrix begins in Fit::grams.
+  /// Entries that meet a region, where each one's matrix begins in Fit::grams, and where its
+  /// columns stand among the region's.
   struct RegionEntries {
     std::vector<int> entries;
-    std::vector<Eigen::Index> first;  ///< by entry; the length of all at the end
+    std::vector<Eigen::Index> first;                ///< by entry; the length of all at the end
+    std::vector<std::vector<Eigen::Index>> places;  ///< by entry; of others none
   };
   RegionEntries entries_meeting(int region) const;
   const RegionEntries& entries_in(int region) const {
     return region_entries_[static_cast<std::size_t>(region + 1)];
+  }
+  /// Whether an entry is one of those that meet a region.
+  bool meets(int region, int entry) const { return !places(region, entry).empty(); }
+  const std::vector<Eigen::Index>& places(int region, int entry) const {
+    return entries_in(region).places[static_cast<std::size_t>(entry)];
   }
   Posterior posterior(const Slots& slots) const;
   /// Products of an entry's columns (rows) with a region's. A search asks for the same ones again
   /// and again.
   const Eigen::MatrixXd& products(int region, int entry) const;
   ConditionalMoments conditional(int entry, const Fit& given) const;
-  /// Products of the slots' coefficients, one row each, with some of the region's columns.
-  Eigen::MatrixXd cross_of(const Fit& f, const std::vector<Eigen::Index>& at) const;
+  ConditionalMoments elsewhere(int entry, const Eigen::MatrixXd& cross, const Fit& given) const;
+  /// Products of the slots' coefficients, one row each, with an entry's columns.
+  Eigen::MatrixXd cross_of(const Fit& f, int entry) const;
   /// `weights`, one column a coefficient of the slots, times their products with all columns.
   Eigen::MatrixXd combined(const Fit& f, const Eigen::MatrixXd& weights) const;
   /// Takes rows' rows off what is left of every entry's Gram matrix, or gives it back.
@@ -109,9 +118,6 @@ class SlotModel {
   template <class Odds>
   std::vector<double> of_entries(const Fit& f, bool names_alone, const Odds& odds) const;
   Eigen::VectorXd precisions(const Slots& slots) const;
-  const std::vector<Eigen::Index>& columns_of(int entry) const {
-    return entries_[static_cast<std::size_t>(entry)].columns;
-  }
   int cause_of(int entry) const {
     return causes_[static_cast<std::size_t>(entries_[static_cast<std::size_t>(entry)].hypothesis)];
   }

@@ -96,13 +96,14 @@ bool SlotSearch::polish(FittedSlots& fitted, int region) const {
       ++at;
       continue;
     }
-    const std::optional<Sized> rival = best(model_.fit_without(fitted.in(own), at));
+    SlotModel::Fit others = model_.fit_without(fitted.in(own), at);
+    const std::optional<Sized> rival = best(others);
     if (rival && rival->entry == entry && std::abs(rival->variance / variance - 1.0) <= same) {
       ++at;
       continue;
     }
     changed = true;
-    fitted.remove(at);
+    fitted.remove(at, std::move(others));
     if (rival) fitted.add(rival->entry, rival->variance);
   }
   return changed;
@@ -113,16 +114,9 @@ void SlotSearch::settle(FittedSlots& fitted, int region, const Slots* known) con
     if (known && have_same_entries(fitted.slots(), *known)) return;
 }
 
-Slots SlotSearch::settled(Slots slots) const {
-  FittedSlots fitted(model_, std::move(slots));
-  settle(fitted, Regions::kEverywhere);
-  return fitted.slots();
-}
-
 /// By a region's entries. Slots that meet none of what was added stay as they are, and those that
 /// act everywhere wait until all regions are settled.
-Slots SlotSearch::grown(Slots slots, int region, const Slots* known) const {
-  FittedSlots fitted(model_, std::move(slots));
+Slots SlotSearch::grown(FittedSlots& fitted, int region, const Slots* known) const {
   while (fitted.slots().entries.size() < most_) {
     const std::size_t before = fitted.slots().entries.size();
     const std::optional<Sized> more = best(fitted.in(region));
@@ -147,8 +141,12 @@ Slots SlotSearch::with_own_values(Slots slots, std::optional<int> region) const 
 }
 
 Slots SlotSearch::find(Slots from) const {
-  Slots found = grown(settled(std::move(from)), Regions::kEverywhere);
-  return model_.regions() == 1 ? found : model_.weighed(settled(std::move(found)));
+  FittedSlots fitted(model_, std::move(from));
+  settle(fitted, Regions::kEverywhere);
+  Slots found = grown(fitted, Regions::kEverywhere);
+  if (model_.regions() == 1) return found;
+  settle(fitted, Regions::kEverywhere);
+  return model_.weighed(fitted.slots());
 }
 
 Slots SlotSearch::find() const {
@@ -159,23 +157,27 @@ Slots SlotSearch::find() const {
   return own_are_better ? from_own : from_nothing;
 }
 
-/// Beginnings of other searches: the model's own values in the place of all of a region's slots,
-/// and the best rivals of each slot in its place. Structure without a name hides the names that it
-/// explains as well: its best rivals with a name begin one each, too.
-std::vector<Slots> SlotSearch::other_starts(const Slots& found, int region) const {
+/// The model's own values in the place of all of a region's slots.
+FittedSlots SlotSearch::own_values_instead(const Slots& found, int region) const {
   Slots elsewhere = found;
   for (std::size_t i = found.entries.size(); i-- > 0;)
     if (model_.region_of(found.entries[i]) == region) elsewhere = without(std::move(elsewhere), i);
   FittedSlots own(model_, with_own_values(std::move(elsewhere), region));
   settle(own, region);
-  std::vector<Slots> starts{own.slots()};
+  return own;
+}
+
+/// Beginnings of other searches: the best rivals of each slot in its place. Structure without a
+/// name hides the names that it explains as well: its best rivals with a name begin one each, too.
+std::vector<SlotSearch::Start> SlotSearch::other_starts(const Slots& found, int region) const {
+  std::vector<Start> starts;
   const SlotModel::Fit whole = model_.fit(found, region);
   for (std::size_t i = 0; i < found.entries.size(); ++i) {
     if (model_.region_of(found.entries[i]) != region) continue;
-    const SlotModel::Fit f = model_.fit_without(whole, i);
+    const auto f = std::make_shared<const SlotModel::Fit>(model_.fit_without(whole, i));
     const bool hides = !model_.hypothesis_of(found.entries[i]).named;
     std::size_t tried = 0, names = 0;
-    const std::vector<Rival> list = rivals(f);
+    const std::vector<Rival> list = rivals(*f);
     for (const Rival& rival : list) {
       // Of two that together say what one says, one says half of it.
       if (rival.log_odds <= 0.5 * list.front().log_odds) break;
@@ -186,18 +188,27 @@ std::vector<Slots> SlotSearch::other_starts(const Slots& found, int region) cons
       if (tried >= kRivals && !(is_name && names < kRivals)) continue;
       ++tried;
       names += is_name ? 1 : 0;
-      starts.push_back(with(f.slots, rival.entry, model_.factor(rival.entry, f).variance));
+      starts.push_back({f, {rival.entry, model_.factor(rival.entry, *f).variance}});
     }
   }
   return starts;
 }
 
 Slots SlotSearch::from_rivals(const Slots& found, int region) const {
-  const std::vector<Slots> starts = other_starts(found, region);
-  std::vector<Slots> ends(starts.size());
-  tbb::parallel_for(0, static_cast<int>(starts.size()), [&](int i) {
-    const auto k = static_cast<std::size_t>(i);
-    ends[k] = model_.is_possible(starts[k]) ? grown(starts[k], region, &found) : Slots{};
+  const std::vector<Start> starts = other_starts(found, region);
+  std::vector<Slots> ends(starts.size() + 1);
+  const auto end_of = [&](FittedSlots fitted) -> Slots {
+    return model_.is_possible(fitted.slots()) ? grown(fitted, region, &found) : Slots{};
+  };
+  tbb::parallel_for(std::size_t{0}, ends.size(), [&](std::size_t i) {
+    if (i == 0) {
+      ends[i] = end_of(own_values_instead(found, region));
+      return;
+    }
+    const Start& start = starts[i - 1];
+    FittedSlots fitted(model_, *start.others);
+    fitted.add(start.rival.entry, start.rival.variance);
+    ends[i] = end_of(std::move(fitted));
   });
   Slots best = found;
   for (const Slots& end : ends)

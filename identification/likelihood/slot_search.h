@@ -2,6 +2,7 @@
 // The search for the set of hypotheses with the largest posterior odds.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -67,11 +68,16 @@ class SlotSearch {
   bool polish(FittedSlots& fitted, int region) const;
   /// `known`: an end of the search; slots that arrive there need no further look.
   void settle(FittedSlots& fitted, int region, const Slots* known = nullptr) const;
-  Slots settled(Slots slots) const;
   /// With every value of the model's own that has one parameter, of a region or of all.
   Slots with_own_values(Slots slots, std::optional<int> region) const;
-  Slots grown(Slots slots, int region, const Slots* known = nullptr) const;
-  std::vector<Slots> other_starts(const Slots& found, int region) const;
+  Slots grown(FittedSlots& fitted, int region, const Slots* known = nullptr) const;
+  /// Another search's: a rival in a slot's place, beside the others.
+  struct Start {
+    std::shared_ptr<const SlotModel::Fit> others;
+    Sized rival;
+  };
+  std::vector<Start> other_starts(const Slots& found, int region) const;
+  FittedSlots own_values_instead(const Slots& found, int region) const;
   Slots from_rivals(const Slots& found, int region) const;
 
   const Hypotheses& all_;

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "identification/likelihood/slot_forms.h"
+#include "tests/identification/likelihood/random_moments.h"
 
 namespace {
 
@@ -13,43 +14,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Six hypotheses, the first of three columns, the second of three shapes, with random products.
-struct Random {
-  Random() : sources(6) {
-    const std::vector<std::vector<int>> shapes{{0}, {1, 2, 3}, {4}, {5}, {6}, {7}};
-    for (std::size_t h = 0; h < sources.size(); ++h) {
-      sources[h].name = "cause " + std::to_string(h);
-      sources[h].place = "joint";
-      sources[h].linear.resize(h == 0 ? 3 : 1);
-      Hypothesis one;
-      one.candidate = static_cast<int>(h);
-      one.source = &sources[h];
-      one.log_prior = -2.0;
-      one.shapes = shapes[h];
-      all.list.push_back(one);
-      for (std::size_t s = 0; s < shapes[h].size(); ++s)
-        all.shapes.push_back({static_cast<int>(h), {}, {}, {}});
-    }
-    sources[1].nonlinear = {{"speed", "rad/s", 0.1, 10.0, 3, true}};
-    for (const auto& [shape, at] : {std::pair{1, 0.1}, {2, 1.0}, {3, 10.0}})
-      all.shapes[static_cast<std::size_t>(shape)].nonlinear = VectorXd::Constant(1, at);
-    std::srand(7);
-    const MatrixXd x = 20.0 * MatrixXd::Random(40, 10);
-    const VectorXd y = 20.0 * VectorXd::Random(40);
-    m.of_shape = {{0, 3}, {3, 1}, {4, 1}, {5, 1}, {6, 1}, {7, 1}, {8, 1}, {9, 1}};
-    m.coefficient = {0, 1, 2, 0, 0, 0, 0, 0, 0, 0};
-    m.scale = VectorXd::Ones(10);
-    m.gram = RegionProducts(MatrixXd(x.transpose() * x));
-    m.target = x.transpose() * y;
-    m.deviance = y.squaredNorm();
-    m.rows = 40.0;
-  }
-
-  std::vector<Candidate> sources;
-  Hypotheses all;
-  Moments m;
-};
-
 Slots without(Slots slots, std::size_t at) {
   slots.entries.erase(slots.entries.begin() + static_cast<std::ptrdiff_t>(at));
   slots.variances.erase(slots.variances.begin() + static_cast<std::ptrdiff_t>(at));
@@ -57,23 +21,6 @@ Slots without(Slots slots, std::size_t at) {
 }
 
 }  // namespace
-
-/// Whether two fits of a model are the same up to rounding.
-void check_same(const SlotModel& model, const SlotModel::Fit& made, const SlotModel::Fit& anew) {
-  CHECK(made.slots.entries == anew.slots.entries);
-  CHECK((made.coefficients - anew.coefficients).norm() < 1e-10 * anew.coefficients.norm());
-  CHECK((made.inverse - anew.inverse).norm() < 1e-10 * anew.inverse.norm());
-  CHECK((made.target - anew.target).norm() < 1e-10 * anew.target.norm());
-  const std::vector<double> odds = model.log_odds(made, false);
-  const std::vector<double> wanted = model.log_odds(anew, false);
-  for (std::size_t e = 0; e < odds.size(); ++e) {
-    CHECK((odds[e] == kNoOdds) == (wanted[e] == kNoOdds));
-    if (wanted[e] != kNoOdds) CHECK(odds[e] == Approx(wanted[e]).margin(1e-8));
-    const double variance = model.factor(static_cast<int>(e), anew).variance;
-    CHECK(model.stays_possible(made, static_cast<int>(e), variance) ==
-          model.stays_possible(anew, static_cast<int>(e), variance));
-  }
-}
 
 // Seen red with what the slot alone takes not given back, and with its target left as it was; of
 // the slot that comes back, with the model's coefficients left as they were, and with its rows not
