@@ -2,6 +2,7 @@
 #include "identification/subjects/driven_equations.h"
 
 #include <cmath>
+#include <utility>
 
 #include "identification/logs/signal_relations.h"
 #include "identification/subjects/block_regression.h"
@@ -35,6 +36,12 @@ struct DrivenEquations::Said {
   MatrixXd rest, load, inertia, speed, links, all;
 };
 
+struct DrivenEquations::Logged {
+  double step = 0.0;  ///< s
+  Said said;
+  MatrixXd links_at_rest;
+};
+
 DrivenEquations::DrivenEquations(const DrivenModel& model, const EffortModel& effort,
                                  const RigidColumns* rigid, Index efforts)
     : model_(model),
@@ -44,7 +51,8 @@ DrivenEquations::DrivenEquations(const DrivenModel& model, const EffortModel& ef
       measured_(model.tendons.names.empty() ? efforts : coordinates_),
       by_tendons_(model.tendons.names.empty() ? 0 : coordinates_ - efforts) {}
 
-DrivenEquations::Said DrivenEquations::said_of(const Recording& r) const {
+/// `links`: links_at() the recording.
+DrivenEquations::Said DrivenEquations::said_of(const Recording& r, MatrixXd links) const {
   const MatrixXd none = MatrixXd::Zero(r.q.rows(), r.q.cols());
   Said said;
   const MatrixXd loaded = effort_(r, r.q, none, none);
@@ -61,12 +69,12 @@ DrivenEquations::Said DrivenEquations::said_of(const Recording& r) const {
   said.speed = said.all - starting;
   if (!rigid_) return said;
   // The links' part is asked for link by link.
-  Recording links;
+  Recording motion;
   const auto of_links = [&](const MatrixXd& qd, const MatrixXd& qdd) {
-    links.q = r.q;
-    links.qd = qd;
-    links.qdd = qdd;
-    return rigid_->effort(links);
+    motion.q = r.q;
+    motion.qd = qd;
+    motion.qdd = qdd;
+    return rigid_->effort(motion);
   };
   const MatrixXd at_rest = of_links(none, none), started = of_links(none, r.qdd),
                  moving = of_links(r.qd, r.qdd);
@@ -74,12 +82,13 @@ DrivenEquations::Said DrivenEquations::said_of(const Recording& r) const {
   said.rest.leftCols(n) -= at_rest;
   said.inertia.leftCols(n) -= started - at_rest;
   said.speed.leftCols(n) -= moving - started;
-  said.links = links_at(r);
+  said.links = std::move(links);
   return said;
 }
 
 /// samples x (coordinates * links * kPerLink), those of one coordinate together.
 MatrixXd DrivenEquations::links_at(const Recording& r) const {
+  if (!rigid_) return {};
   const std::vector<std::string> names = rigid_->moving_links();
   const Index n = rigid_->coordinates(), per = kPerLink * static_cast<Index>(names.size());
   MatrixXd all(r.q.rows(), n * per);
@@ -95,7 +104,29 @@ MatrixXd DrivenEquations::links_at(const Recording& r) const {
 }
 
 std::vector<EffortParts> DrivenEquations::parts_of(const Recording& recording) const {
-  const Said said = said_of(recording);
+  return parts_of(recording, said_of(recording, links_at(recording)));
+}
+
+std::shared_ptr<const DrivenEquations::Logged> DrivenEquations::logged(
+    const Recording& recording) const {
+  Recording resting;
+  resting.q = recording.q;
+  resting.qd = resting.qdd = MatrixXd::Zero(recording.q.rows(), recording.q.cols());
+  return std::make_shared<const Logged>(
+      Logged{recording.step, said_of(recording, links_at(recording)), links_at(resting)});
+}
+
+/// What moves a body takes goes with the square of the pace.
+std::vector<EffortParts> DrivenEquations::parts_of(const Recording& recording,
+                                                   const Logged& motion) const {
+  if (recording.step == motion.step) return parts_of(recording, motion.said);
+  const double pace = motion.step / recording.step;
+  const MatrixXd& rest = motion.links_at_rest;
+  return parts_of(recording, said_of(recording, rest + pace * pace * (motion.said.links - rest)));
+}
+
+std::vector<EffortParts> DrivenEquations::parts_of(const Recording& recording,
+                                                   const Said& said) const {
   std::vector<EffortParts> parts;
   for (Index i = 0; i < measured_; ++i) parts.push_back(parts_at(recording, said, i));
   return parts;

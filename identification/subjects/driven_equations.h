@@ -3,6 +3,7 @@
 // likely defects say.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "identification/subjects/effort_model.h"
@@ -41,6 +42,12 @@ class DrivenEquations {
   /// A target for each measured effort; see SlowColumns::read_as().
   std::vector<EffortParts> parts_of(const Recording& recording) const;
 
+  /// What the model says at a log's motion.
+  struct Logged;
+  std::shared_ptr<const Logged> logged(const Recording& recording) const;
+  /// The same parts where the recording has that motion, at its pace or at another.
+  std::vector<EffortParts> parts_of(const Recording& recording, const Logged& motion) const;
+
   /// Of each measured effort: its log likelihood alone, all unknowns being what suits it best.
   std::vector<double> evidence_each(const std::vector<EffortParts>& parts) const;
   /// Of all, with what they have in common.
@@ -48,7 +55,8 @@ class DrivenEquations {
 
  private:
   struct Said;
-  Said said_of(const Recording& recording) const;
+  Said said_of(const Recording& recording, Eigen::MatrixXd links) const;
+  std::vector<EffortParts> parts_of(const Recording& recording, const Said& said) const;
   EffortParts parts_at(const Recording& recording, const Said& said, Eigen::Index i) const;
   Eigen::MatrixXd links_at(const Recording& recording) const;
   Eigen::Index coordinate(Eigen::Index i) const { return coordinates_ - measured_ + i; }

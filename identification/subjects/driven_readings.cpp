@@ -50,7 +50,9 @@ class DrivenJudge {
   DrivenJudge(const Log& log, const SlowColumns& columns, const DrivenModel& model,
               const DrivenEquations& equations)
       : log_(log), columns_(columns), model_(model), equations_(equations) {
-    parts_ = equations.parts_of(columns.read_as(nullptr));
+    const Recording as_logged = columns.read_as(nullptr);
+    motion_ = equations.logged(as_logged);
+    parts_ = equations.parts_of(as_logged, *motion_);
     each_ = equations.evidence_each(parts_);
     as_it_is_ = equations.evidence(parts_);
   }
@@ -71,13 +73,29 @@ class DrivenJudge {
   }
 
   double left_now() const { return left(parts_); }
-  double left_by(const ColumnReading& reading) const {
-    return left(equations_.parts_of(columns_.read_as(&reading)));
-  }
+  double left_by(const ColumnReading& reading) const { return left(parts_of(reading)); }
 
  private:
   double evidence(const ColumnReading& reading) const {
-    return equations_.evidence(equations_.parts_of(columns_.read_as(&reading)));
+    return equations_.evidence(parts_of(reading));
+  }
+
+  std::vector<EffortParts> parts_of(const ColumnReading& reading) const {
+    const Recording read = columns_.read_as(&reading);
+    return has_the_motion(reading) ? equations_.parts_of(read, *motion_)
+                                   : equations_.parts_of(read);
+  }
+
+  /// Whether positions and loads are those of the log, at whatever pace.
+  bool has_the_motion(const ColumnReading& reading) const {
+    // A tendon's force is the load of its motor.
+    const bool has_motors = columns_.count_of(Quantity::effort) > 0;
+    const auto is_effort = [&](int channel) {
+      const Quantity quantity = columns_.role_of(channel).quantity;
+      return quantity == Quantity::effort || (quantity == Quantity::force && !has_motors);
+    };
+    return reading.column == ColumnReading::kClock ||
+           (is_effort(reading.column) && (reading.other < 0 || is_effort(reading.other)));
   }
 
   /// Share of the efforts' standard deviation that the model leaves over as it stands.
@@ -254,6 +272,7 @@ class DrivenJudge {
   const SlowColumns& columns_;
   const DrivenModel& model_;
   const DrivenEquations& equations_;
+  std::shared_ptr<const DrivenEquations::Logged> motion_;
   std::vector<EffortParts> parts_;  ///< as the log is
   std::vector<double> each_;
   double as_it_is_ = 0.0;

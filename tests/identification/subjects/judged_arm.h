@@ -10,7 +10,9 @@
 
 #include "identification/logs/data_faults.h"
 #include "identification/logs/read_csv.h"
+#include "identification/subjects/driven_equations.h"
 #include "identification/subjects/driven_readings.h"
+#include "identification/subjects/slow_columns.h"
 #include "symbolic/extension/driven_model.h"
 #include "tests/identification/subjects/arm_logs.h"
 #include "tests/reference/temporary_folder.h"
@@ -24,22 +26,16 @@ class JudgedArm {
       : nominal_(nominal),
         model_(driven_model(nominal)),
         rigid_(std::make_shared<const diagnosis::RigidColumns>(nominal, runtime_)),
-        subject_(model_, {}, runtime_, rigid_) {}
+        subject_(model_, {}, runtime_, rigid_),
+        equations_(model_, subject_.effort(), rigid_.get(),
+                   static_cast<Eigen::Index>(nominal.joints.size())) {}
 
   /// The faults that a log is refused for, by its reader or by the model; empty: none.
   std::vector<DataFault> stops(const ArmLog& logged) {
-    const std::string path = (folder_.path() / "log.csv").string();
-    reference::write_text(path, csv(logged));
     try {
-      const Log log = read_csv(path, robot_channels(nominal_));
-      diagnosis::DrivenColumns columns;
-      for (std::size_t j = 1; j <= nominal_.joints.size(); ++j) {
-        columns.positions.push_back(log.channel(fmt::format("q_j{}", j)));
-        columns.efforts.push_back(log.channel(fmt::format("tau_j{}", j)));
-      }
-      subject_.add_log(log, columns, false);
-      FaultList faults(path);
-      judge_driven_columns(log, columns, subject_.problem().training.back(), model_,
+      const ReadLog read = read_from(logged);
+      FaultList faults("log.csv");
+      judge_driven_columns(read.log, read.columns, subject_.problem().training.back(), model_,
                            subject_.effort(), rigid_.get(), runtime_, faults);
       return faults.stops() ? faults.all() : std::vector<DataFault>{};
     } catch (const LogError& error) {
@@ -47,12 +43,39 @@ class JudgedArm {
     }
   }
 
+  /// What the judge looks at.
+  diagnosis::Recording slowly(const ArmLog& logged) {
+    const ReadLog read = read_from(logged);
+    const diagnosis::SlowColumns slow(read.columns, subject_.problem().training.back(), model_,
+                                      nullptr);
+    return slow.read_as(nullptr);
+  }
+
+  const diagnosis::DrivenEquations& equations() const { return equations_; }
+
  private:
+  struct ReadLog {
+    Log log;
+    diagnosis::DrivenColumns columns;
+  };
+  ReadLog read_from(const ArmLog& logged) {
+    const std::string path = (folder_.path() / "log.csv").string();
+    reference::write_text(path, csv(logged));
+    ReadLog read{read_csv(path, robot_channels(nominal_)), {}};
+    for (std::size_t j = 1; j <= nominal_.joints.size(); ++j) {
+      read.columns.positions.push_back(read.log.channel(fmt::format("q_j{}", j)));
+      read.columns.efforts.push_back(read.log.channel(fmt::format("tau_j{}", j)));
+    }
+    subject_.add_log(read.log, read.columns, false);
+    return read;
+  }
+
   std::string runtime_ = SINEW_SOURCE_DIR "/runtime";
   Mechanism nominal_;
   DrivenModel model_;
   std::shared_ptr<const diagnosis::RigidColumns> rigid_;
   diagnosis::DrivenSubject subject_;
+  diagnosis::DrivenEquations equations_;
   reference::TemporaryFolder folder_;
 };
 
