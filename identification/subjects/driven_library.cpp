@@ -175,7 +175,7 @@ void DrivenSubject::add_model_candidates(std::size_t joint) {
   take(sensor_low_pass_candidate(where, known_, coupled,
                                  bristle_[joint] ? model_.joints[joint].friction : 0.0),
        "sensor_low_pass");
-  take(sensor_hysteresis_candidate(where, known_, scale(joint)), "sensor_hysteresis");
+  take(sensor_hysteresis_candidate(where, known_, coupled, scale(joint)), "sensor_hysteresis");
   // What is in every measurement is fitted at its own joint. Through the masses it reaches the
   // others as noise does; with a column there it would make the products of all joints' columns
   // with each other, and with a coefficient there it would bend what is found.

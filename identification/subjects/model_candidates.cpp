@@ -272,7 +272,7 @@ Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortMo
 }
 
 Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortModel& effort,
-                                      const LogScale& scale) {
+                                      const std::vector<int>& coupled, const LogScale& scale) {
   const std::string unit = place.revolute ? "rad" : "m";
   const double reach = scale.high - scale.low;
   Candidate c = of_effect("sensor_hysteresis", place, {"half_play", unit, 0.0, reach, false, {}});
@@ -280,12 +280,14 @@ Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortMode
   c.nonlinear = {{"half_play_of_motion", unit, 1e-5 * reach, 3e-3 * reach, 4, true}};
   c.possible = of_its_size(4.0);
   c.sized_twice = true;
+  c.channels = coupled;
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd& half_play) -> MatrixXd {
-    if (channel != axis) return {};
     const Motion side{log.signals.at("side").col(axis), log.signals.at("side_rate").col(axis),
                       log.signals.at("side_acceleration").col(axis)};
-    return response(effort, log, axis, side, half_play(0));
+    if (channel == axis) return response(effort, log, axis, side, half_play(0));
+    return log.signals.at(mass_matrix_column(axis)).col(channel).cwiseProduct(side.qdd.col(0)) -
+           log.signals.at(offset_response(axis)).col(channel).cwiseProduct(side.q.col(0));
   };
   return c;
 }

@@ -57,8 +57,10 @@ Candidate sensor_quantisation_candidate(const EffectPlace& place, const EffortMo
 Candidate sensor_noise_candidate(const EffectPlace& place, const EffortModel& effort,
                                  const std::vector<int>& coupled);
 
-/// The logged position follows the true one with play.
+/// The logged position follows the true one with play. Uses signals "side", "side_rate" and
+/// "side_acceleration" and, at other joints that are `coupled`, the column of the mass matrix and
+/// the response to an offset.
 Candidate sensor_hysteresis_candidate(const EffectPlace& place, const EffortModel& effort,
-                                      const LogScale& scale);
+                                      const std::vector<int>& coupled, const LogScale& scale);
 
 }  // namespace sinew::diagnosis
