@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The play of a position sensor shows where its reading stands still, and there alone.
+// The play of a position sensor shows at its own joint where its reading stands still, and there
+// alone.
 #pragma once
 
 #include <vector>
