@@ -34,7 +34,9 @@ VectorXd steady_rate(const VectorXd& reading, double resolution, double step) {
 void add_reading(const std::string& name, const VectorXd& reading, double resolution, double cutoff,
                  Recording& recording) {
   recording.signals[name] = reading;
-  recording.signals[name + "_rate"] = steady_rate(reading, resolution, recording.step);
+  const VectorXd rate = steady_rate(reading, resolution, recording.step);
+  recording.signals[name + "_rate"] = rate;
+  recording.signals[name + "_side"] = side_of_play(reading, rate, 0.0, 0.0);
   recording.signals[name + "_speed"] = differentiate(reading, recording.step, cutoff).qd;
 }
 

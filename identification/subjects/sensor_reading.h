@@ -10,7 +10,8 @@ namespace sinew::diagnosis {
 
 /// Signals of a recording, samples x 1: `name` (the reading), `name`_rate (without what the sensor
 /// flickers by while it rests) and `name`_speed (its smooth derivative, below `cutoff`, Hz), both
-/// in the reading's unit a second. `resolution`: of the reading, 0 where it is unknown; step: s.
+/// in the reading's unit a second, and `name`_side (which end of a play it is at, side_of_play()).
+/// `resolution`: of the reading, 0 where it is unknown; step: s.
 void add_reading(const std::string& name, const Eigen::VectorXd& reading, double resolution,
                  double cutoff, Recording& recording);
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "generator/function.h"
-#include "symbolic/expressions/definition_list.h"
 #include "symbolic/extension/observation.h"
 
 namespace sinew {
@@ -23,25 +22,18 @@ struct LateSensor {
 void describe_late_sensor(const LateSensor& sensor, ObservationEffect& low_pass,
                           ObservationEffect& play);
 
-/// Inputs of a sensor whose reading comes late: `<reading>_rate`, of the reading without what it
-/// flickers by, which turns the play's side and is zero at rest; `<reading>_speed`, the reading's
-/// smooth derivative. Both in the reading's unit a second, +-`fastest`.
+/// Inputs of a sensor whose reading comes late: `<reading>_speed`, the reading's smooth derivative,
+/// in its unit a second, +-`fastest`; `<reading>_side`, the end of its play that the sensor is at,
+/// -1..1: the way that its reading went last. While the reading stands still the motion goes from
+/// one end to the other, which only the next change of the reading tells: a recording has it, a
+/// running system keeps the last side.
 struct LateInputs {
-  Argument rate, speed;
+  Argument speed, side;
 };
 LateInputs late_inputs(const std::string& reading, const std::string& unit, double fastest);
 
-/// Dahl's law: the side, -1..1, that a loop is on after `travel`, from the side `before`. The way
-/// from one side to the other has a length of its own, in the unit of `travel`; at rest it stays
-/// where it is. Defines names that begin with `name`.
-GiNaC::ex turned_side(DefinitionList& list, const std::string& name, const GiNaC::ex& before,
-                      const GiNaC::ex& travel, const GiNaC::ex& length);
-
-/// What the reading would be of a fast and tight sensor. `side`: of its play, -1..1.
-GiNaC::ex in_time(const GiNaC::ex& reading, const LateInputs& inputs, const GiNaC::ex& side,
+/// What the reading would be of a fast and tight sensor.
+GiNaC::ex in_time(const GiNaC::ex& reading, const LateInputs& inputs,
                   const ObservationEffect& low_pass, const ObservationEffect& play);
-
-/// What the sensor has moved since the sample before. `step`: the input, s.
-GiNaC::ex moved_since(const LateInputs& inputs, const Argument& step);
 
 }  // namespace sinew

@@ -20,6 +20,17 @@ using GiNaC::numeric;
 
 const numeric guide_turns_over(1, 20000);  // m of travel; and it stays as it is at rest
 
+/// Dahl's law: the side, -1..1, that a loop is on after `travel`, from the side `before`. The way
+/// from one side to the other has a length of its own, in the unit of `travel`; at rest it stays
+/// where it is. Defines names that begin with `name`.
+ex turned_side(DefinitionList& list, const std::string& name, const ex& before, const ex& travel,
+               const ex& length) {
+  const ex z = clamped(before, -1, 1);
+  const ex way = list.define(name + "_way", travel / length);
+  const ex left = list.define(name + "_left", GiNaC::exp(-magnitude(way)));
+  return list.define(name + "_next", choose(way, 1 - (1 - z) * left, (1 + z) * left - 1));
+}
+
 /// Reading of the rig, line by line.
 class Reading {
  public:
@@ -30,12 +41,13 @@ class Reading {
     const double low = std::min(rig.lever.count_free, rig.lever.count_end);
     count_ = scalar_argument("count", "1", {low, low + std::abs(counts)}, "of the lever's sensor");
     late_ = late_inputs("count", "1/s", std::abs(counts));
+    rate_ = scalar_argument("count_rate", "1/s", {-std::abs(counts), std::abs(counts)},
+                            "without the sensor's flicker: zero where it rests");
     bend_ = scalar_argument("bend", "rad", {0.0, 6.3},
                             "total bending angle between lever and load cell");
     step_ = scalar_argument("step", "s", {1e-4, 1e-2}, "to the next sample");
-    state_ = array_argument("memory", 3, 1, "1", {-1.0, 1.0},
-                            "of the hysteresis, of the guides and of the sensor's play, before "
-                            "this sample");
+    state_ = array_argument("memory", 2, 1, "1", {-1.0, 1.0},
+                            "of the hysteresis and of the guides, before this sample");
   }
 
   Function function() {
@@ -48,10 +60,10 @@ class Reading {
     return {"observation",
             "What the calibration rig's load cell and gauge read at a count of the lever's sensor.",
             "4.1",
-            {count_, late_.rate, late_.speed, bend_, step_, state_},
+            {count_, rate_, late_.speed, late_.side, bend_, step_, state_},
             list_.items(),
             {{"measured", 2, 1, {guided, stretched}, "N, m", "force, elongation"},
-             {"next", 3, 1, {next_, guided_, played_}, "1", "states for the next sample"}}};
+             {"next", 2, 1, {next_, guided_}, "1", "states for the next sample"}}};
   }
 
  private:
@@ -61,10 +73,10 @@ class Reading {
     const numeric range = end - free,
                   counts = exact_number(rig_.lever.count_end) - exact_number(rig_.lever.count_free);
     per_count_ = range / counts / (1 + e_.scale.deviation());
-    counted_ = list_.define("counted", moved_since(late_, step_));
-    played_ = turned(2, counted_, 1, "play");
-    const ex true_count = list_.define(
-        "true_count", in_time(count_.symbols[0], late_, played_, e_.low_pass, e_.play));
+    counted_ = list_.define(
+        "counted", clamped(rate_.symbols[0], -1000000, 1000000) * clamped(step_.symbols[0], 0, 1));
+    const ex true_count =
+        list_.define("true_count", in_time(count_.symbols[0], late_, e_.low_pass, e_.play));
     const ex share = list_.define(
         "share", (true_count - e_.offset.deviation() - exact_number(rig_.lever.count_free)) /
                      counts / (1 + e_.scale.deviation()));
@@ -101,9 +113,9 @@ class Reading {
   const LeverRig& rig_;
   LeverEffects& e_;
   DefinitionList list_;
-  Argument count_, bend_, step_, state_;
+  Argument count_, rate_, bend_, step_, state_;
   LateInputs late_;
-  ex per_count_, theta_, elongation_, force_, counted_, travel_, next_, guided_, played_;
+  ex per_count_, theta_, elongation_, force_, counted_, travel_, next_, guided_;
 };
 
 }  // namespace

@@ -13,12 +13,13 @@ struct LeverRig {
   double compliance = 0.0;  ///< m/N, of the tendon in series: l0/(E S)
 };
 
-/// observation(count, count_rate [1/s], count_speed [1/s], bend [rad], step [s], memory 3 ->
-/// measured 2, next 3): force [N] and elongation of lever and tendon [m]; count_rate is without the
-/// sensor's flicker and turns the states, count_speed is the smooth derivative; bend is the total
-/// bending angle between lever and load cell; memory holds the sides of hysteresis, guides and the
-/// sensor's play (-1..1). Counts may lie up to a
-/// tenth of the travel outside it. Throws std::invalid_argument where both counts are the same.
+/// observation(count, count_rate [1/s], count_speed [1/s], count_side, bend [rad], step [s], memory
+/// 2 -> measured 2, next 2): force [N] and elongation of lever and tendon [m]; count_rate is
+/// without the sensor's flicker and turns the states, count_speed is the smooth derivative,
+/// count_side the end of its play that the sensor is at (late_sensor.h); bend is the total bending
+/// angle between lever and load cell; memory holds the sides of hysteresis and guides (-1..1).
+/// Counts may lie up to a tenth of the travel outside it. Throws std::invalid_argument where both
+/// counts are the same.
 Observation lever_observation(const LeverRig& rig, const std::string& model);
 
 }  // namespace sinew

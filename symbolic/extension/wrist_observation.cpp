@@ -14,8 +14,6 @@ namespace {
 
 using GiNaC::ex;
 
-const GiNaC::numeric play_turns_over(1, 20000);  // rad of the reading; it stays as it is at rest
-
 /// From the forearm point of a tendon to its palm point.
 Vector3 span(const WristParameters& p, std::size_t i, const WristPose& pose) {
   const Vector3 F = exact_vector(p.forearm_points[i]), P = exact_vector(p.palm_points[i]);
@@ -41,12 +39,9 @@ class Angle {
         name_(name),
         e_(effects) {}
 
-  /// `memory`: side of the sensor's play before this sample.
-  ex true_angle(DefinitionList& list, const Argument& step, const ex& memory, double reference) {
+  ex true_angle(DefinitionList& list, double reference) {
     const ex zero_pose = exact_number(reference);
-    const ex travel = list.define("moved_" + name_, moved_since(late, step));
-    played = turned_side(list, "play_" + name_, memory, travel, play_turns_over);
-    const ex logged = in_time(reading.symbols[0], late, played, e_.low_pass, e_.play);
+    const ex logged = in_time(reading.symbols[0], late, e_.low_pass, e_.play);
     return list.define(
         "true_" + name_,
         zero_pose + (logged - zero_pose) / (1 + e_.scale.deviation()) + e_.zero.deviation());
@@ -54,7 +49,6 @@ class Angle {
 
   Argument reading;
   LateInputs late;
-  ex played;  ///< side of the play behind this sample, once true_angle() has been called
 
  private:
   static constexpr double kFastest = 10.0;  // rad/s
@@ -92,12 +86,9 @@ Observation wrist_observation(const WristParameters& parameters, const std::stri
               {effects.scale71, effects.zero71, effects.low_pass71, effects.play71});
   Angle second("q73", ranges[1],
                {effects.scale73, effects.zero73, effects.low_pass73, effects.play73});
-  const Argument step = scalar_argument("step", "s", {1e-4, 1e-2}, "to the next sample");
-  const Argument memory =
-      array_argument("memory", 2, 1, "1", {-1.0, 1.0}, "of the sensors' play, before this sample");
   DefinitionList list;
-  const ex q71 = first.true_angle(list, step, memory.symbols[0], reference_q71(parameters));
-  const ex q73 = second.true_angle(list, step, memory.symbols[1], reference_q73(parameters));
+  const ex q71 = first.true_angle(list, reference_q71(parameters));
+  const ex q73 = second.true_angle(list, reference_q73(parameters));
   const BarAngles angles{
       list.define("cos_q71", GiNaC::cos(q71)), list.define("sin_q71", GiNaC::sin(q71)),
       list.define("cos_q73", GiNaC::cos(q73)), list.define("sin_q73", GiNaC::sin(q73))};
@@ -109,11 +100,10 @@ Observation wrist_observation(const WristParameters& parameters, const std::stri
           {"observation",
            "Where the motors stand that keep the tendons at their force while the wrist moves.",
            "(6.9)",
-           {first.reading, second.reading, first.late.rate, second.late.rate, first.late.speed,
-            second.late.speed, step, memory},
+           {first.reading, second.reading, first.late.speed, second.late.speed, first.late.side,
+            second.late.side},
            list.items(),
-           {measured,
-            {"next", 2, 1, {first.played, second.played}, "1", "states for the next sample"}}},
+           {measured}},
           effects.all()};
 }
 

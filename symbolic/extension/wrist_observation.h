@@ -8,12 +8,11 @@
 
 namespace sinew {
 
-/// observation(q71, q73 [rad], q71_rate, q73_rate, q71_speed, q73_speed [rad/s], step [s],
-/// memory 2 -> measured m, next 2): motor angles [rad], 0 in the reference pose. A rate is without
-/// the sensor's flicker and turns the side of its play (memory, -1..1); a speed is the smooth
-/// derivative. Effects: coupling left uncompensated, zero offset, scale, low-pass and play of both
-/// angles, shift of the contact point on the pulleys at both ends, and the radius of each motor's
-/// pulley.
+/// observation(q71, q73 [rad], q71_speed, q73_speed [rad/s], q71_side, q73_side -> measured m):
+/// motor angles [rad], 0 in the reference pose. A speed is the reading's smooth derivative, a side
+/// the end of its play that the sensor is at (late_sensor.h). Effects: coupling left uncompensated,
+/// zero offset, scale, low-pass and play of both angles, shift of the contact point on the pulleys
+/// at both ends, and the radius of each motor's pulley.
 Observation wrist_observation(const WristParameters& parameters, const std::string& model);
 
 }  // namespace sinew

@@ -24,6 +24,21 @@ def steady_rate(reading, step, resolution):
     return rate
 
 
+def side_of_play(rate):
+    """Which end of its play a sensor is at: the way it went last; between the two its motion, from rest where the
+    reading stops, makes a way that grows with the square of the time."""
+    side, last, start = [0.0] * len(rate), 0.0, 0
+    for k, r in enumerate(rate):
+        if r == 0.0 and k + 1 < len(rate):
+            continue
+        now = last if r == 0.0 else 1.0 if r > 0.0 else -1.0
+        last = last or now
+        for i in range(start, k + 1):
+            side[i] = last + (now - last) * ((i - start + 1) / (k - start + 1)) ** 2
+        last, start = now, k + 1
+    return side
+
+
 def resolution(name, reading):
     """A count is a step; of an angle the smallest change between two samples, where most are none."""
     changes = [abs(b - a) for a, b in zip(reading, reading[1:])]
@@ -36,6 +51,8 @@ def signal_of(log, name, step):
     if name.endswith("_rate"):
         name = name.removesuffix("_rate")
         return steady_rate(log[name], step, resolution(name, log[name]))
+    if name.endswith("_side"):
+        return side_of_play(signal_of(log, name.removesuffix("_side") + "_rate", step))
     if name.endswith("_speed"):
         name = name.removesuffix("_speed")
         return list(smoothed(log[name], step, min(SMOOTHED[name], 0.1 / step), 1))

@@ -126,8 +126,10 @@ class Physics(unittest.TestCase):
     def test_what_a_slow_and_a_loose_sensor_are_told_by_is_made_of_the_reading(self):
         # Seen to fail: only rates were, and a sensor's low-pass was judged with a speed of zero.
         log = {"time": [0.002 * k for k in range(500)], "q71": [0.3 * 0.002 * k for k in range(500)]}
-        made = rigs.signals_of(log, [("q71", 1), ("q71_rate", 1), ("q71_speed", 1), ("step", 1)], 0.002)
-        self.assertEqual(sorted(made), ["q71", "q71_rate", "q71_speed"])
+        made = rigs.signals_of(log, [("q71", 1), ("q71_rate", 1), ("q71_side", 1), ("q71_speed", 1), ("step", 1)], 0.002)
+        self.assertEqual(sorted(made), ["q71", "q71_rate", "q71_side", "q71_speed"])
+        self.assertEqual(made["q71_side"][0][250], 1.0)
+        self.assertEqual(rigs.side_of_play([0.0, 2.0, 0.0, 0.0, 0.0, -1.0]), [1.0, 1.0, 0.875, 0.5, -0.125, -1.0])
         self.assertAlmostEqual(made["q71_speed"][0][250], 0.3)
         self.assertAlmostEqual(made["q71_rate"][0][250], 0.3)
         self.assertEqual(rigs.resolution("count", [0.0, 0.5]), 1.0)
