@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "identification/diagnosis/confidence.h"
 #include "symbolic/effects/effects.h"
@@ -58,15 +59,12 @@ Gain gain_of_line(const LineInLogs& line, const Settings& settings) {
 }
 
 /// Sine and cosine of every log, whose phase is its own.
-std::vector<ParameterEstimate> amplitudes(const LineInLogs& line, double prominence,
-                                          const std::string& unit) {
+std::vector<ParameterEstimate> amplitudes(const LineInLogs& line, const std::string& unit) {
   std::vector<ParameterEstimate> list;
   for (std::size_t i = 0; i < line.fits.size(); ++i) {
     const LineFit& fit = line.fits[i];
-    // Of a line's energy over its noise: 2 share a sine and a cosine.
-    const double error = std::hypot(fit.sine, fit.cosine) *
-                         std::sqrt(static_cast<double>(line.fits.size()) / (2.0 * prominence));
-    for (const auto& [name, value] : {std::pair{"sine", fit.sine}, {"cosine", fit.cosine}}) {
+    for (const auto& [name, value, error] :
+         {std::tuple{"sine", fit.sine, fit.sine_error}, {"cosine", fit.cosine, fit.cosine_error}}) {
       ParameterEstimate estimate;
       estimate.name = name;
       estimate.unit = unit;
@@ -103,7 +101,7 @@ std::vector<NamedCause> lines_beside(const DrivenSubject& subject, const Verdict
     cause.held_out = cause.confirmed = gain_of_line(held_out, settings);
     // The spectrum has judged the training logs: beside all else that is left up to half the
     // sampling rate a line may be little there, and plain at its order.
-    if (!is_material(training, settings) || (!held_out.fits.empty() && cause.held_out.low <= 0.0))
+    if (!is_material(training, settings) || (!held_out.fits.empty() && !(cause.held_out.low > 0.0)))
       continue;
     cause.candidate = kNoTerm;
     cause.log_odds = -std::log(std::max(each.line.chance, 1e-300));
@@ -114,7 +112,7 @@ std::vector<NamedCause> lines_beside(const DrivenSubject& subject, const Verdict
     member.weight = 1.0;
     cause.members.push_back(std::move(member));
     cause.confidence = confidence_of(2.0 * each.line.prominence, each.line.chance);
-    cause.parameters = amplitudes(training, each.line.prominence, ripple.linear.front().unit);
+    cause.parameters = amplitudes(training, ripple.linear.front().unit);
     cause.separation.experiment = find_effect("ripple").experiment;
     causes.push_back(std::move(cause));
   }

@@ -87,6 +87,42 @@ double prominence(const std::vector<OrderSpectrum>& spectra, int order) {
   return sum(steps) >= (1.0 - kOffTop) * sum.maxCoeff() - kByNoise ? sum(steps) : 0.0;
 }
 
+/// Sine and cosine of a line beside its log, each sample by its weight, in equal blocks of time.
+class LineSums {
+ public:
+  LineSums(const ShaftLog& log, int order, int blocks, const Eigen::ArrayXd& weight)
+      : blocks_(blocks), columns_(weight.size(), 2) {
+    const Index n = weight.size();
+    const Eigen::ArrayXd angle = 2.0 * std::numbers::pi * order * log.turns.tail(n).array();
+    columns_ << weight * angle.sin(), weight * angle.cos();
+    values_ = weight * log.value.tail(n).array();
+    gram_ = 1e-12 * static_cast<double>(n) * Eigen::Matrix2d::Identity() +
+            columns_.transpose() * columns_;
+    target_ = columns_.transpose() * values_;
+  }
+  Eigen::Vector2d fit() const { return gram_.ldlt().solve(target_); }
+  Eigen::Vector2d fit_without(int block) const {
+    const auto own = columns_of(block);
+    const Eigen::Matrix2d gram = gram_ - own.transpose() * own;
+    return gram.ldlt().solve(target_ - own.transpose() * values_of(block));
+  }
+  Eigen::Ref<const VectorXd> values_of(int block) const {
+    return values_.segment(first(block), first(block + 1) - first(block));
+  }
+  Eigen::Ref<const Eigen::MatrixXd> columns_of(int block) const {
+    return columns_.middleRows(first(block), first(block + 1) - first(block));
+  }
+
+ private:
+  Index first(int block) const { return values_.size() * block / blocks_; }
+
+  int blocks_;
+  Eigen::MatrixXd columns_;
+  VectorXd values_;
+  Eigen::Matrix2d gram_;
+  Eigen::Vector2d target_;
+};
+
 }  // namespace
 
 std::vector<OrderLine> order_lines(const std::vector<ShaftLog>& logs, int lowest, int highest) {
@@ -114,35 +150,22 @@ std::vector<OrderLine> order_lines(const std::vector<ShaftLog>& logs, int lowest
 
 LineFit fit_line(const ShaftLog& log, int order, int blocks) {
   const Index n = log.turns.size() - 1;
-  // As the spectrum counts a sample: by the angle that it is made in.
-  const Eigen::ArrayXd weight = (log.turns.tail(n) - log.turns.head(n)).array().abs().sqrt();
-  const Eigen::ArrayXd angle = 2.0 * std::numbers::pi * order * log.turns.tail(n).array();
-  Eigen::MatrixXd columns(n, 2);
-  columns << weight * angle.sin(), weight * angle.cos();
-  const VectorXd values = weight * log.value.tail(n).array();
-  const auto first = [&](int block) { return n * block / blocks; };
-  std::vector<Eigen::Matrix2d> gram;
-  std::vector<Eigen::Vector2d> target;
-  Eigen::Matrix2d all = 1e-12 * static_cast<double>(n) * Eigen::Matrix2d::Identity();
-  Eigen::Vector2d all_target = Eigen::Vector2d::Zero();
+  const Eigen::ArrayXd made = (log.turns.tail(n) - log.turns.head(n)).array().abs();
+  const LineSums all(log, order, blocks, made.sqrt());
+  const LineSums slow(log, order, blocks, (order * made < log.fastest).select(made.sqrt(), 0.0));
+  const Eigen::Vector2d size = slow.fit();
+  LineFit fit{size(0), size(1), 0.0, 0.0, VectorXd(blocks), VectorXd(blocks)};
+  Eigen::Matrix2Xd left_out(2, blocks);
   for (int b = 0; b < blocks; ++b) {
-    const auto own = columns.middleRows(first(b), first(b + 1) - first(b));
-    gram.push_back(own.transpose() * own);
-    target.push_back(own.transpose() * values.segment(first(b), own.rows()));
-    all += gram.back();
-    all_target += target.back();
-  }
-  LineFit fit{0.0, 0.0, VectorXd(blocks), VectorXd(blocks)};
-  const Eigen::Vector2d sine = all.ldlt().solve(all_target);
-  fit.sine = sine(0);
-  fit.cosine = sine(1);
-  for (int b = 0; b < blocks; ++b) {
-    const auto k = static_cast<std::size_t>(b);
-    const Eigen::Vector2d others = (all - gram[k]).ldlt().solve(all_target - target[k]);
-    const auto value = values.segment(first(b), first(b + 1) - first(b));
+    left_out.col(b) = slow.fit_without(b);
+    const auto value = all.values_of(b);
     fit.without(b) = value.squaredNorm();
-    fit.with(b) = (value - columns.middleRows(first(b), value.size()) * others).squaredNorm();
+    fit.with(b) = (value - all.columns_of(b) * all.fit_without(b)).squaredNorm();
   }
+  const Eigen::Vector2d error = std::sqrt((blocks - 1.0) / blocks) *
+                                (left_out.colwise() - left_out.rowwise().mean()).rowwise().norm();
+  fit.sine_error = error(0);
+  fit.cosine_error = error(1);
   return fit;
 }
 

@@ -16,6 +16,9 @@ inline constexpr double kLeastTurns = 4.0;
 struct ShaftLog {
   Eigen::VectorXd turns;  ///< of the shaft
   Eigen::VectorXd value;  ///< an effort, what varies slowly with the angle taken out of it
+  /// Periods a sample at most by which a line's size is told: what is faster moves the masses, or
+  /// is averaged over the sample, before the effort shows it.
+  double fastest = 0.4;
 };
 
 /// A line in an order spectrum.
@@ -30,9 +33,13 @@ struct OrderLine {
 /// searches, and has its top at the whole order.
 std::vector<OrderLine> order_lines(const std::vector<ShaftLog>& logs, int lowest, int highest);
 
-/// One line's sine in one log, by least squares over the angle.
+/// One line's sine in one log, by least squares over the angle; as in the spectrum each sample
+/// counts by the angle that it is made in.
 struct LineFit {
-  double sine = 0.0, cosine = 0.0;  ///< of 2 pi order turns, in the effort's unit
+  /// Of 2 pi order turns, in the effort's unit, by the samples in which the shaft makes less than
+  /// ShaftLog::fastest of its periods; 0 where there are none.
+  double sine = 0.0, cosine = 0.0;
+  double sine_error = 0.0, cosine_error = 0.0;  ///< standard errors, by leaving blocks out
   /// Sums of squares, times turns, in equal blocks of time: without the line, and with the one that
   /// is fitted to the other blocks.
   Eigen::VectorXd without, with;

@@ -26,8 +26,6 @@ constexpr int kLowOrders = 3;
 // What a spectrum may show besides: as many as a shaft has teeth, poles or slots.
 constexpr int kHighestOrder = 120;
 constexpr std::size_t kMostFound = 4;
-// Periods a sample: the effort is read as it was logged, above the band of the comparison too.
-constexpr double kSampled = 0.4;
 
 VectorXd number(double value) {
   return VectorXd::Constant(1, value);
@@ -58,21 +56,6 @@ VectorXd left_by(const MatrixXd& columns, const VectorXd& target) {
   return target - columns * gram.llt().solve(VectorXd(columns.transpose() * target));
 }
 
-/// The speed below which a quarter of the way is made.
-double slow_speed(const VectorXd& position, const VectorXd& velocity) {
-  std::vector<std::pair<double, double>> steps;
-  double way = 0.0;
-  for (Index i = 1; i < position.size(); ++i) {
-    steps.emplace_back(std::abs(velocity(i)), std::abs(position(i) - position(i - 1)));
-    way += steps.back().second;
-  }
-  std::sort(steps.begin(), steps.end());
-  double made = 0.0;
-  for (const auto& [speed, step] : steps)
-    if ((made += step) >= 0.25 * way) return speed;
-  return 0.0;
-}
-
 bool is_whole(double order) {
   return order > 0.5 && std::abs(order - std::round(order)) < 1e-6;
 }
@@ -81,24 +64,24 @@ bool is_whole(double order) {
 
 ShaftLog DrivenSubject::shaft_log(std::size_t joint, double turn, const Recording& log) const {
   const auto axis = static_cast<int>(joint);
-  return {log.q.col(axis) / turn,
-          left_by(smooth_columns(log, flexible_families(ranges(joint), axis, axis), axis),
-                  log.target[joint] - log.known[joint])};
+  ShaftLog shaft{log.q.col(axis) / turn,
+                 left_by(smooth_columns(log, flexible_families(ranges(joint), axis, axis), axis),
+                         log.target[joint] - log.known[joint])};
+  if (!log.band_hz.empty()) shaft.fastest = log.band_hz[joint] * log.step;
+  return shaft;
 }
 
 /// Above the low orders.
 std::vector<OrderLine> DrivenSubject::lines_found(std::size_t joint, double turn) const {
   std::vector<ShaftLog> logs;
-  double most = 0.0;
   for (const Recording& log : logged_training_) {
     const auto q = log.q.col(static_cast<Index>(joint));
     if (!(q.maxCoeff() - q.minCoeff() >= kLeastTurns * turn)) continue;
-    const double slow = slow_speed(q, log.qd.col(static_cast<Index>(joint)));
-    if (slow > 0.0) most = std::max(most, kSampled / log.step * turn / slow);
     logs.push_back(shaft_log(joint, turn, log));
   }
-  std::vector<OrderLine> lines =
-      order_lines(logs, kLowOrders + 1, static_cast<int>(std::min<double>(kHighestOrder, most)));
+  // Over the angle a ripple is a line even where it is faster than the log's samples: these are of
+  // its value at their angles, which speeds that vary spread over all of it.
+  const std::vector<OrderLine> lines = order_lines(logs, kLowOrders + 1, kHighestOrder);
   const double motor = model_.joints[joint].motor_turn;
   std::vector<OrderLine> own;
   for (const OrderLine& line : lines) {
@@ -133,9 +116,9 @@ void DrivenSubject::add_orders(std::size_t joint, double turn, const std::string
   const double rate = 2.0 * std::numbers::pi / turn;
   // A link that turns under gravity has its weight once a turn.
   const bool weight = is_lone_link() && shaft == "output";
-  // Less than a quarter of a period is a bend as any other.
+  // Less than half a period is a bend as any other: it need not come again.
   const LogScale s = scale(joint);
-  const auto shows = [&](double order) { return order * (s.high - s.low) > 0.25 * turn; };
+  const auto shows = [&](double order) { return order * (s.high - s.low) > 0.5 * turn; };
   const auto often = [&](int k) {
     return k == 1 ? std::string("once") : fmt::format("{} times", k);
   };

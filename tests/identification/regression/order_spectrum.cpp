@@ -71,7 +71,29 @@ TEST_CASE("a line's size is told, and what it gains on blocks that it was not fi
   CHECK(fit.cosine == Approx(0.4 * std::sin(1.0)).margin(0.03));
   const double share = 1.0 - fit.with.sum() / fit.without.sum();
   CHECK(share == Approx(0.08 / 1.08).margin(0.01));
+  CHECK(fit.sine_error == Approx(0.01).epsilon(0.5));
+  CHECK(fit.cosine_error == Approx(0.01).epsilon(0.5));
   // Of noise it gains nothing. Planted defect, seen to fail: fitted to the same blocks it does.
   const LineFit none = fit_line(turning(12.0, {}, 0.0, 1), 24, 20);
   CHECK(none.with.sum() > none.without.sum());
+}
+
+TEST_CASE(
+    "where a ripple is faster than the samples its size is told by those that are slow enough") {
+  // Seen to fail with all samples: of an effort that each sample averages the line came out at a
+  // twentieth of its size.
+  constexpr double kOrder = 24.0, kSize = 4.0;
+  constexpr Index kEach = 25;  // samples that one is the mean of
+  const ShaftLog log = turning(5.0, {}, 0.0, 1);
+  const Index n = log.turns.size() / kEach;
+  ShaftLog coarse{VectorXd(n), VectorXd(n), 0.1};
+  for (Index i = 0; i < n; ++i) {
+    coarse.turns(i) = log.turns(kEach * i + kEach / 2);
+    coarse.value(i) = log.value(kEach * i) + kSize * (2.0 * std::numbers::pi * kOrder *
+                                                      log.turns.segment(kEach * i, kEach).array())
+                                                         .sin()
+                                                         .mean();
+  }
+  const LineFit fit = fit_line(coarse, 24, 10);
+  CHECK(fit.sine == Approx(kSize).epsilon(0.2));
 }
