@@ -16,6 +16,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMostSteps = 30;
+constexpr Index kMostFreed = 8;              // unknowns, before all are asked for
+constexpr double kFree = 1e-9, kHeld = 1e9;  // weights of an unknown's square
 
 /// Products of one effort's columns, as shares of how much the effort changes.
 struct Products {
@@ -61,13 +63,15 @@ class Misfit {
   Misfit(std::vector<Products> efforts, const std::vector<Unknown>& unknowns)
       : efforts_(std::move(efforts)), unknowns_(unknowns) {}
 
-  /// The better end of two descents: from the drawing, and from what the efforts alone ask for.
+  /// The best end of three descents: from the drawing, from what the efforts alone ask for, and
+  /// from what few unknowns make of it. Tails as long as Cauchy's have several ends: few unknowns
+  /// that are far off, or many that are a little.
   double least() const {
     const auto count = static_cast<Index>(unknowns_.size());
-    const VectorXd drawn = VectorXd::Zero(count);
-    const VectorXd free = VectorXd::Constant(count, 1e-9);
     const std::vector<double> alike(efforts_.size(), 1.0);
-    return std::min(descended(drawn), descended(weighed(alike, free)));
+    const VectorXd drawn = VectorXd::Zero(count),
+                   free = weighed(alike, VectorXd::Constant(count, kFree));
+    return std::min({descended(drawn), descended(free), descended(pursued())});
   }
 
  private:
@@ -126,16 +130,60 @@ class Misfit {
     return c;
   }
 
+  std::vector<double> slopes_at(const VectorXd& c) const {
+    std::vector<double> slopes;
+    for (const Products& effort : efforts_) slopes.push_back(slope_at(effort.share(c)));
+    return slopes;
+  }
+
+  /// One unknown after the other is freed, each time the one that makes most likely what is left.
+  VectorXd pursued() const {
+    const auto count = static_cast<Index>(unknowns_.size());
+    VectorXd best = VectorXd::Zero(count), c = best, weights = VectorXd::Constant(count, kHeld);
+    double least = value(best);
+    for (Index step = 0; step < std::min(count, kMostFreed); ++step) {
+      const std::vector<double> slopes = slopes_at(c);
+      const Index next = most_telling(c, slopes, weights);
+      if (next < 0) break;
+      weights(next) = kFree;
+      c = weighed(slopes, weights);
+      if (const double now = value(c); now < least) least = now, best = c;
+    }
+    return best;
+  }
+
+  /// Of the unknowns that are held, the one that by itself makes most likely what is left; -1:
+  /// there is none.
+  Index most_telling(const VectorXd& c, const std::vector<double>& slopes,
+                     const VectorXd& weights) const {
+    VectorXd pull = VectorXd::Zero(c.size()), stiffness = VectorXd::Zero(c.size());
+    for (std::size_t e = 0; e < efforts_.size(); ++e) {
+      const Products& effort = efforts_[e];
+      const VectorXd left = effort.right - effort.gram * c(effort.at);
+      pull(effort.at) += slopes[e] * left;
+      stiffness(effort.at) += slopes[e] * effort.gram.diagonal();
+    }
+    Index found = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (Index k = 0; k < c.size(); ++k) {
+      if (weights(k) == kFree || !(stiffness(k) > 0.0)) continue;
+      VectorXd moved = c;
+      moved(k) += pull(k) / stiffness(k);
+      if (unknowns_[static_cast<std::size_t>(k)].kind == Unknown::Kind::added && moved(k) < 0.0)
+        continue;
+      if (const double now = value(moved); now < least) least = now, found = k;
+    }
+    return found;
+  }
+
   /// Each step minimises what touches value() here and lies above it everywhere.
   double descended(VectorXd c) const {
     double now = value(c);
     for (int step = 0; step < kMostSteps; ++step) {
-      std::vector<double> slopes;
-      for (const Products& effort : efforts_) slopes.push_back(slope_at(effort.share(c)));
       VectorXd weights(c.size());
       for (Index k = 0; k < c.size(); ++k)
         weights(k) = weight_of(unknowns_[static_cast<std::size_t>(k)], c(k));
-      c = weighed(slopes, weights);
+      c = weighed(slopes_at(c), weights);
       const double then = value(c);
       if (!(then < now - 1e-2)) return std::min(then, now);
       now = then;
