@@ -52,28 +52,14 @@ void add_coefficients(Candidate& c, int count, OneFor one = OneFor::all_logs) {
   }
 }
 
-using Values = std::function<VectorXd(const Recording&)>;
-
 /// Splines in one variable, times the direction where `soft` is not 0.
-Candidate spline_family(Candidate c, const Values& values, double low, double high, int count,
+Candidate spline_family(Candidate c, const LogSignal& values, double low, double high, int count,
                         int axis, double soft) {
   add_coefficients(c, count);
   c.columns = [=](const Recording& log, int, const VectorXd&) {
     MatrixXd basis = spline_basis(values(log), low, high, count);
     if (soft > 0.0) basis = direction(log, axis, soft).matrix().asDiagonal() * basis;
     return basis;
-  };
-  return c;
-}
-
-/// A term of the model times splines in time.
-Candidate changing_in_time(Candidate c, const Values& term, double duration) {
-  constexpr int count = 5;
-  add_coefficients(c, count);
-  c.of_its_time = true;
-  c.columns = [=](const Recording& log, int, const VectorXd&) {
-    const VectorXd time = log.time.array() - log.started();
-    return MatrixXd(term(log).asDiagonal() * spline_basis(time, 0.0, duration, count));
   };
   return c;
 }
@@ -235,6 +221,19 @@ MatrixXd spline_basis(const VectorXd& x, double low, double high, int count) {
   return basis;
 }
 
+Candidate changing_in_time(const std::string& depends_on, const LogSignal& term, double duration,
+                           int axis, int channel) {
+  constexpr int count = 5;
+  Candidate c = unnamed(CandidateKind::flexible, depends_on, axis, channel);
+  add_coefficients(c, count);
+  c.of_its_time = true;
+  c.columns = [=](const Recording& log, int, const VectorXd&) {
+    const VectorXd time = log.time.array() - log.started();
+    return MatrixXd(term(log).asDiagonal() * spline_basis(time, 0.0, duration, count));
+  };
+  return c;
+}
+
 VectorXd way_since_reversal(const VectorXd& position, const VectorXd& velocity, double rest) {
   VectorXd way(position.size());
   double turned_at = position.size() ? position(0) : 0.0, furthest = turned_at;
@@ -275,20 +274,20 @@ NonlinearParameter visible_periods(const FlexibleRanges& r) {
 std::vector<Candidate> flexible_families(const FlexibleRanges& r, int axis, int channel) {
   const double soft = kRest * r.speed;
   std::vector<Candidate> list;
-  const auto add = [&](const std::string& on, bool by_direction, const Values& values, double low,
-                       double high, int count) {
+  const auto add = [&](const std::string& on, bool by_direction, const LogSignal& values,
+                       double low, double high, int count) {
     if (high > low)
       list.push_back(spline_family(unnamed(CandidateKind::flexible, on, axis, channel), values, low,
                                    high, count, axis, by_direction ? soft : 0.0));
   };
-  const Values position = [axis](const Recording& log) { return VectorXd(log.q.col(axis)); };
-  const Values velocity = [axis](const Recording& log) { return VectorXd(log.qd.col(axis)); };
-  const Values load = [axis](const Recording& log) { return VectorXd(log.load.col(axis)); };
-  const Values time = [](const Recording& log) {
+  const LogSignal position = [axis](const Recording& log) { return VectorXd(log.q.col(axis)); };
+  const LogSignal velocity = [axis](const Recording& log) { return VectorXd(log.qd.col(axis)); };
+  const LogSignal load = [axis](const Recording& log) { return VectorXd(log.load.col(axis)); };
+  const LogSignal time = [](const Recording& log) {
     return VectorXd(log.time.array() - log.started());
   };
   const double reach = r.high - r.low;
-  const Values way = [axis, soft, reach](const Recording& log) {
+  const LogSignal way = [axis, soft, reach](const Recording& log) {
     const VectorXd w = way_since_reversal(log.q.col(axis), log.qd.col(axis), soft);
     return VectorXd((w.array() / reach).sqrt());
   };
@@ -320,17 +319,17 @@ bool is_periodic_in_position(const Candidate& c) {
 
 std::vector<Candidate> varying_values(const FlexibleRanges& r, int axis, int channel) {
   if (!(r.effort > 0.0)) return {};
-  const Values effort = [axis](const Recording& log) {
+  const LogSignal effort = [axis](const Recording& log) {
     return VectorXd(log.signals.at("effort").col(axis));
   };
-  const Values acceleration = [axis](const Recording& log) { return VectorXd(log.qdd.col(axis)); };
-  const auto shape = [&](const char* on) {
-    return unnamed(CandidateKind::flexible, on, axis, channel);
+  const LogSignal acceleration = [axis](const Recording& log) {
+    return VectorXd(log.qdd.col(axis));
   };
   constexpr int laws = 8;
-  return {spline_family(shape("the model's effort"), effort, -r.effort, r.effort, laws, axis, 0.0),
-          changing_in_time(shape("time x the model's effort"), effort, r.duration),
-          changing_in_time(shape("time x acceleration"), acceleration, r.duration)};
+  return {spline_family(unnamed(CandidateKind::flexible, "the model's effort", axis, channel),
+                        effort, -r.effort, r.effort, laws, axis, 0.0),
+          changing_in_time("time x the model's effort", effort, r.duration, axis, channel),
+          changing_in_time("time x acceleration", acceleration, r.duration, axis, channel)};
 }
 
 std::vector<Candidate> local_decoys(const FlexibleRanges& r, int axis, int channel) {

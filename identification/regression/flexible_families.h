@@ -2,6 +2,8 @@
 // Shapes without a physical name: what a dependence looks like when none of the causes fits it.
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "identification/regression/candidate.h"
@@ -32,6 +34,14 @@ bool is_periodic_in_position(const Candidate& family);
 /// what goes with the acceleration by a share that changes over the log (times B-splines in time).
 /// Reads the signal "effort".
 std::vector<Candidate> varying_values(const FlexibleRanges& ranges, int axis = 0, int channel = 0);
+
+/// Signal of a log, a value a sample.
+using LogSignal = std::function<Eigen::VectorXd(const Recording&)>;
+
+/// Whatever `term` is in a log, by a share that changes over the log: times B-splines in time.
+/// `depends_on`: "time x force". duration: of the longest log, s.
+Candidate changing_in_time(const std::string& depends_on, const LogSignal& term, double duration,
+                           int axis, int channel);
 
 /// Search for a sine over the position: from two periods over the range to what the band shows,
 /// in periods per rad or m.

@@ -67,6 +67,10 @@ void complete_lever(ObservedSubject& subject, bool with_elongation) {
       c.place = channel == 0 ? "force" : "elongation";
       subject.add_candidate(std::move(c), "");
     }
+  const LogSignal force = [](const Recording& log) -> VectorXd { return log.load.col(0); };
+  Candidate warming = changing_in_time("time x force", force, s.duration, 0, 0);
+  warming.place = "force";
+  subject.add_candidate(std::move(warming), "");
 }
 
 }  // namespace

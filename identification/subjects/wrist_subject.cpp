@@ -59,11 +59,32 @@ Candidate common(Candidate family, int axis, Index channels) {
   return family;
 }
 
+/// All motors' angles by one share that changes over the log, as where their pulleys fill.
+void add_changing_pulleys(ObservedSubject& subject) {
+  const Problem& problem = subject.problem();
+  const double duration = scale_of(problem.training, 0).duration;
+  std::vector<Candidate> motors;
+  for (int channel = 0; channel < problem.channels; ++channel) {
+    const LogSignal angle = [channel](const Recording& log) -> VectorXd {
+      return log.signals.at("said").col(channel);
+    };
+    motors.push_back(changing_in_time("time x the motors' angles", angle, duration, 0, channel));
+  }
+  Candidate all = motors.front();
+  all.channels.clear();
+  all.place = "wrist";
+  all.columns = [motors](const Recording& log, int channel, const VectorXd& shape) {
+    return motors[static_cast<std::size_t>(channel)].columns(log, channel, shape);
+  };
+  subject.add_candidate(std::move(all), "");
+}
+
 void complete_wrist(ObservedSubject& subject) {
   Problem& problem = subject.problem();
   const auto channels = static_cast<Index>(problem.channels);
   for (const char* angle : angles)
     add_coarse_sensor(subject, {angle, "quantisation of the angle sensor", angle, coarse_angle});
+  add_changing_pulleys(subject);
   for (int axis = 0; axis < 2; ++axis) {
     const LogScale s = scale_of(problem.training, axis);
     const FlexibleRanges ranges{s.low, s.high, s.speed, 0.0, s.duration};
