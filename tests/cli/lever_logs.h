@@ -13,6 +13,7 @@
 #include "symbolic/expressions/evaluate_function.h"
 #include "symbolic/extension/part_observation.h"
 #include "symbolic/parts/part.h"
+#include "tests/cli/loose_sensor.h"
 #include "tests/cli/program.h"
 
 namespace sinew {
@@ -22,23 +23,27 @@ class Calibration {
  public:
   explicit Calibration(const IdentifiedEffect& hidden)
       : observation_(*observation_of(read_part(SINEW_SOURCE_DIR "/models/lever"))),
-        reading_(closed_observation(observation_, {{hidden}, {}})) {}
+        reading_(closed_observation(observation_, {{hidden}, {}})),
+        sensor_({hidden}, "sensor") {}
 
   std::string log(unsigned seed, bool with_elongation) const {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     std::string text = with_elongation ? "time [s],count [1],force [N],elongation [mm]\n"
                                        : "time [s],count [1],force [N]\n";
-    std::vector<double> memory{0.0, 0.0, 0.0};
+    std::vector<double> memory{0.0, 0.0};
+    LooseSensor sensor = sensor_;
     for (int k = 0; k < 3000; ++k) {
       const double t = 0.01 * k, phase = 0.4 * seed;
-      const double count = std::round(2040.0 + 1500.0 * std::sin(0.9 * t + phase) +
-                                      300.0 * std::sin(2.3 * t + 2.0 * phase));
       const double rate =
           1350.0 * std::cos(0.9 * t + phase) + 690.0 * std::cos(2.3 * t + 2.0 * phase);
+      const LooseSensor::Reading read = sensor.of(
+          2040.0 + 1500.0 * std::sin(0.9 * t + phase) + 300.0 * std::sin(2.3 * t + 2.0 * phase),
+          rate);
+      const double count = std::round(read.value);
       const std::vector<double> out =
-          evaluate(reading_, {count, rate, rate, 0.0, 0.01, memory[0], memory[1], memory[2]});
-      memory = {out[2], out[3], out[4]};
+          evaluate(reading_, {count, rate, rate, read.side, 0.0, 0.01, memory[0], memory[1]});
+      memory = {out[2], out[3]};
       text += fmt::format("{:.2f},{:.0f},{:.4f}", t, count, out[0] + 0.05 * normal(random));
       if (with_elongation) text += fmt::format(",{:.5f}", 1e3 * out[1] + 0.005 * normal(random));
       text += "\n";
@@ -49,6 +54,7 @@ class Calibration {
  private:
   Observation observation_;
   Function reading_;
+  LooseSensor sensor_;
 };
 
 /// A copy of models/lever beside two logs of the lever as it really is.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -13,6 +14,7 @@
 #include "symbolic/expressions/evaluate_function.h"
 #include "symbolic/extension/part_observation.h"
 #include "symbolic/parts/part.h"
+#include "tests/cli/loose_sensor.h"
 #include "tests/cli/program.h"
 
 namespace sinew {
@@ -24,24 +26,24 @@ class WristLog {
   explicit WristLog(const std::vector<IdentifiedEffect>& hidden, double quantum = 0.0)
       : observation_(*observation_of(read_part(SINEW_SOURCE_DIR "/models/wrist"))),
         reading_(closed_observation(observation_, {hidden, {}})),
+        sensors_{LooseSensor(hidden, "q71"), LooseSensor(hidden, "q73")},
         quantum_(quantum) {}
 
   std::string log(unsigned seed) const {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
-    const std::size_t motors = reading_.outputs.front().values.size();
     std::string text = "time [s],q71 [rad],q73 [rad]";
     for (std::size_t i = 1; i <= kLogged; ++i) text += fmt::format(",theta_{} [rad]", i);
-    std::vector<double> memory{0.0, 0.0};
+    std::array<LooseSensor, 2> sensors = sensors_;
     for (int k = 0; k < 1500; ++k) {
       const double t = 0.01 * k, phase = 0.7 * seed;
       const Moved a = along(reading_.inputs[0].ranges[0], 0.9, t, phase);
       const Moved b = along(reading_.inputs[1].ranges[0], 1.4, t, 2.0 * phase);
-      const std::vector<double> out = evaluate(
-          reading_,
-          {a.angle, b.angle, a.speed, b.speed, a.speed, b.speed, 0.01, memory[0], memory[1]});
-      memory = {out[motors], out[motors + 1]};
-      text += fmt::format("\n{:.3f},{:.8f},{:.8f}", t, a.angle, read(b.angle));
+      const LooseSensor::Reading q71 = sensors[0].of(a.angle, a.speed),
+                                 q73 = sensors[1].of(b.angle, b.speed);
+      const std::vector<double> out =
+          evaluate(reading_, {q71.value, q73.value, a.speed, b.speed, q71.side, q73.side});
+      text += fmt::format("\n{:.3f},{:.8f},{:.8f}", t, q71.value, read(q73.value));
       for (std::size_t i = 0; i < kLogged; ++i)
         text += fmt::format(",{:.7f}", out[i] + 1e-4 * normal(random));
     }
@@ -64,6 +66,7 @@ class WristLog {
 
   Observation observation_;
   Function reading_;
+  std::array<LooseSensor, 2> sensors_;
   double quantum_;
 };
 
