@@ -16,8 +16,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMostSteps = 30;
-constexpr Index kMostFreed = 8;              // unknowns, before all are asked for
-constexpr double kFree = 1e-9, kHeld = 1e9;  // weights of an unknown's square
+// Unknowns that are freed one by one: work, since an arm has more than seventy. With 4, 8 and 16
+// the same is told of the tests and of a null that was refused without; stopping at the first one
+// that gains nothing refuses that null again.
+constexpr Index kMostFreed = 8;
+// Weight of the square of an unknown that nothing holds, against 1 of the efforts: rounding's.
+constexpr double kFree = 1e-9;
 
 /// Products of one effort's columns, as shares of how much the effort changes.
 struct Products {
@@ -139,7 +143,8 @@ class Misfit {
   /// One unknown after the other is freed, each time the one that makes most likely what is left.
   VectorXd pursued() const {
     const auto count = static_cast<Index>(unknowns_.size());
-    VectorXd best = VectorXd::Zero(count), c = best, weights = VectorXd::Constant(count, kHeld);
+    VectorXd best = VectorXd::Zero(count), c = best,
+             weights = VectorXd::Constant(count, 1.0 / kFree);
     double least = value(best);
     for (Index step = 0; step < std::min(count, kMostFreed); ++step) {
       const std::vector<double> slopes = slopes_at(c);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A position sensor with play: its reading follows the motion by half of it behind.
+// A position sensor with play: its reading stands still until the motion has crossed the play, and
+// then stays half of it behind.
 #pragma once
 
 #include <algorithm>
