@@ -67,8 +67,19 @@ struct SearchedDesign {
                  const std::vector<SlotForm>& beginning)
       : design(with_units(problem, settings)),
         baseline(fitted_baseline(design)),
-        found(find_slots(design, settings, baseline, rivals, beginning)),
-        of_slot(name_slots(*found)) {
+        found(find_slots(design, settings, baseline, rivals, beginning)) {
+    name();
+  }
+
+  /// Structure that is not told must not stand beside names, which would be told as what it leaves.
+  void leave_out_refuted(const Settings& settings) {
+    if (!HeldOutJudge(design, settings, *found).refutes_structure()) return;
+    search_names_alone(design, settings, *found);
+    name();
+  }
+
+  void name() {
+    of_slot = name_slots(*found);
     adopted.model = named_model(design, *found, of_slot);
     adopted.noise = own_noise(design, adopted.model);
     adopted.made = found->all.parts.made;
@@ -103,7 +114,8 @@ struct SearchedDesign {
 
 Explanation explain(const Problem& problem, const Settings& settings,
                     const std::vector<SlotForm>& beginning) {
-  const SearchedDesign s(problem, settings, Rivals::asked, beginning);
+  SearchedDesign s(problem, settings, Rivals::asked, beginning);
+  s.leave_out_refuted(settings);
   Explanation result = s.explanation();
   Selection& adopted = problem.deviations.empty() ? result.selection : result.adopted;
   Verdict& verdict = result.verdict;

@@ -13,23 +13,13 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Whether no law of one form stands for it: values of the model and masses have the model's form,
-/// splines and series follow any.
-bool has_any_form(const Term& term) {
-  const auto& linear = term.candidate->linear;
-  return term.deviation >= 0 || term.candidate->has_model_form ||
-         term.candidate->kind == CandidateKind::flexible ||
-         std::any_of(linear.begin(), linear.end(),
-                     [](const LinearParameter& p) { return p.share < 1.0; });
-}
-
 /// What the terms of one form say of every segment, in the band; empty where none acts.
 std::vector<VectorXd> said_by_laws(const Model& model, const VectorXd& coefficients,
                                    std::size_t first) {
   const std::vector<Index> column = first_columns(model);
   std::vector<VectorXd> sum(model.target.size());
   for (std::size_t t = first; t < model.terms.size(); ++t) {
-    if (has_any_form(model.terms[t])) continue;
+    if (has_any_form(*model.terms[t].candidate, model.terms[t].deviation >= 0)) continue;
     for (std::size_t s = 0; s < sum.size(); ++s) {
       const Eigen::MatrixXd& columns = model.terms[t].columns[s];
       if (columns.cols() == 0) continue;

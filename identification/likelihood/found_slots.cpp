@@ -30,6 +30,14 @@ VectorXd immaterial_variance(const Design& design, const Settings& settings, con
 
 namespace {
 
+Searched search_of(const Design& design, const Settings& settings, const FoundSlots& found) {
+  // A machine whose drives are not in its model lacks four values a joint, and links' besides.
+  constexpr int per_channel = 5;
+  return {design, immaterial_variance(design, settings, found.all.parts.base),
+          std::max(settings.most_causes, per_channel * design.problem().channels),
+          std::vector<bool>(found.all.list.size(), false)};
+}
+
 /// The model with all of its own values free.
 Model with_free_values(const Hypotheses& all) {
   Model model = all.parts.base;
@@ -62,11 +70,7 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
                                        const std::vector<SlotForm>& beginning) {
   auto found = std::make_unique<FoundSlots>();
   found->all = make_hypotheses(design, baseline);
-  // A machine whose drives are not in its model lacks four values a joint, and links' besides.
-  constexpr int per_channel = 5;
-  Searched s{design, immaterial_variance(design, settings, found->all.parts.base),
-             std::max(settings.most_causes, per_channel * design.problem().channels),
-             std::vector<bool>(found->all.list.size(), false)};
+  Searched s = search_of(design, settings, *found);
   if (beginning.empty())
     first_noise(s, *found);
   else
@@ -88,6 +92,15 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
     if (hypotheses_of(*found) == before) break;
   }
   return found;
+}
+
+void search_names_alone(const Design& design, const Settings& settings, FoundSlots& found) {
+  Searched s = search_of(design, settings, found);
+  for (std::size_t h = 0; h < s.banned.size(); ++h) s.banned[h] = !found.all.list[h].named;
+  std::erase_if(found.forms, [&](const SlotForm& form) {
+    return s.banned[static_cast<std::size_t>(hypothesis_of(found.all, form))];
+  });
+  search_with_shapes(s, found);
 }
 
 }  // namespace sinew::diagnosis

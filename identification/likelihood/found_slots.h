@@ -34,6 +34,10 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
                                        const Model& baseline, Rivals rivals,
                                        const std::vector<SlotForm>& beginning);
 
+/// The search again without structure that has no name, from the names that were found on and under
+/// their noise.
+void search_names_alone(const Design& design, const Settings& settings, FoundSlots& found);
+
 /// Per channel, the variance of a sample that is not material.
 Eigen::VectorXd immaterial_variance(const Design& design, const Settings& settings,
                                     const Model& model);

@@ -97,17 +97,34 @@ std::vector<NamedCause> HeldOutJudge::causes(const std::vector<NamedCause>& of_s
   return list;
 }
 
+bool HeldOutJudge::is_told_structure(std::size_t slot) const {
+  return !hypothesis_of(found_, slot).named && is_told(found_, slot);
+}
+
+std::optional<Gain> HeldOutJudge::confirmed_structure(std::size_t slot) const {
+  if (is_of_one_log(*hypothesis_of(found_, slot).source)) return std::nullopt;
+  const std::size_t first = found_.model.terms.size() - found_.slots.entries.size();
+  return confirmed(found_.model, first + slot);
+}
+
+bool HeldOutJudge::refutes_structure() const {
+  if (design_.problem().holdout.empty()) return false;
+  bool any = false;
+  for (std::size_t i = 0; i < found_.slots.entries.size(); ++i) {
+    if (hypothesis_of(found_, i).named) continue;
+    any = true;
+    if (!is_told(found_, i)) continue;
+    const std::optional<Gain> gain = confirmed_structure(i);
+    if (!gain || is_sure(*gain)) return false;
+  }
+  return any;
+}
+
 void HeldOutJudge::confirm_structure(std::vector<Dependence>& depends_on) const {
   if (design_.problem().holdout.empty()) return;
-  const Model& model = found_.model;
-  const std::size_t first = model.terms.size() - found_.slots.entries.size();
   auto said = depends_on.begin();
-  for (std::size_t i = 0; i < found_.slots.entries.size() && said != depends_on.end(); ++i) {
-    const Hypothesis& h = hypothesis_of(found_, i);
-    if (h.named || !is_told(found_, i)) continue;
-    if (!is_of_one_log(*h.source)) said->confirmed = confirmed(model, first + i);
-    ++said;
-  }
+  for (std::size_t i = 0; i < found_.slots.entries.size() && said != depends_on.end(); ++i)
+    if (is_told_structure(i)) (said++)->confirmed = confirmed_structure(i);
 }
 
 }  // namespace sinew::diagnosis

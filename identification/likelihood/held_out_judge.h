@@ -2,6 +2,7 @@
 // What held-out logs say of what was found: nothing is fitted to them.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "identification/diagnosis/selection.h"
@@ -22,12 +23,19 @@ class HeldOutJudge {
   /// sure beside the other.
   std::vector<NamedCause> causes(const std::vector<NamedCause>& of_slot, Selection& adopted) const;
 
+  /// Whether there is structure without a name, and none of it is told and confirmed by them. What
+  /// is of one log they cannot refute.
+  bool refutes_structure() const;
+
   /// What they say of structure without a name, in the order of its slots.
   void confirm_structure(std::vector<Dependence>& depends_on) const;
 
  private:
   /// The whitened error with a term and without it.
   Gain confirmed(const Model& whole, std::size_t term) const;
+  bool is_told_structure(std::size_t slot) const;
+  /// Of a slot without a name; none where they cannot say.
+  std::optional<Gain> confirmed_structure(std::size_t slot) const;
   void measure(const Selection& selection, std::size_t term, NamedCause& cause) const;
   std::vector<NamedCause> withdrawn(std::vector<NamedCause>& list, Selection& adopted) const;
 

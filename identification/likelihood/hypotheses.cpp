@@ -3,6 +3,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -44,6 +45,7 @@ void add_hypothesis(int candidate, const Candidate& source, Hypotheses& all) {
   h.named = is_named(source);
   h.log_prior = log_prior_of(source, h.named);
   h.body_within = source.body_within;
+  h.is_law = !has_any_form(source, candidate < 0) && !source.is_value;
   all.list.push_back(std::move(h));
 }
 
@@ -92,6 +94,12 @@ BandColumns columns_of(const Design& design, const Hypotheses& all, const Candid
 }
 
 }  // namespace
+
+bool has_any_form(const Candidate& source, bool of_model) {
+  return of_model || source.has_model_form || source.kind == CandidateKind::flexible ||
+         std::any_of(source.linear.begin(), source.linear.end(),
+                     [](const LinearParameter& p) { return p.share < 1.0; });
+}
 
 Hypotheses make_hypotheses(const Design& design, const Model& baseline) {
   const Problem& problem = design.problem();

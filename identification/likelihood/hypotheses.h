@@ -16,6 +16,7 @@ struct Hypothesis {
   int candidate = 0;  ///< index into the library; deviation i of the problem is -1 - i
   const Candidate* source = nullptr;  ///< name, place, limits
   bool named = true;                  ///< false: structure without a physical name
+  bool is_law = true;                 ///< of a form of its own, which is off by kFormError
   double log_prior = 0.0;             ///< log prior odds of all its shapes together
   std::vector<int> shapes;
   std::optional<double> body_within;  ///< as a candidate's: its coefficients are a body's
@@ -45,6 +46,10 @@ Hypotheses make_hypotheses(const Design& design, const Model& baseline);
 /// One more shape of a hypothesis; its columns are evaluated where none are given.
 void add_shape(const Design& design, int hypothesis, const Eigen::VectorXd& nonlinear,
                Hypotheses& all);
+
+/// Whether no law of one form stands for it: values of the model and masses have the model's form,
+/// splines and series follow any.
+bool has_any_form(const Candidate& source, bool of_model);
 
 /// A term of the model for a shape.
 Term term_of(const Hypotheses& all, int shape);

@@ -79,8 +79,8 @@ void grow_slots(int most, const std::vector<bool>& banned, FoundSlots& found) {
 namespace {
 
 /// Whether names explain as much as structure without a name but for what their forms are off by.
-bool are_as_good(const Slots& names, const Slots& any) {
-  return names.log_posterior >= (1.0 - kFormError * kFormError) * any.log_posterior;
+bool are_as_good(const SlotSearch& search, const Slots& names, const Slots& any) {
+  return names.log_posterior + search.may_lack(names) >= any.log_posterior;
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ void prefer_names(FoundSlots& found) {
   search.set_names_alone(true);
   if (search.are_named(found.slots)) return;
   const Slots names = search.find();
-  if (are_as_good(names, found.slots))
+  if (are_as_good(search, names, found.slots))
     found.slots = names;
   else
     search.set_names_alone(false);
@@ -106,8 +106,8 @@ void search_slots(int most, const std::vector<bool>& banned, FoundSlots& found) 
   // Structure beside the names, or in their place.
   Slots any = search.find(names);
   if (grown.log_posterior > any.log_posterior) any = grown;
-  if (!are_as_good(names, any)) any = search.from_rivals(any);
-  const bool named = are_as_good(names, any);
+  if (!are_as_good(search, names, any)) any = search.from_rivals(any);
+  const bool named = are_as_good(search, names, any);
   search.set_names_alone(named);
   found.slots = search.with_names(named ? std::move(names) : std::move(any));
 }

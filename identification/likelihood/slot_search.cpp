@@ -258,6 +258,15 @@ std::vector<Rival> SlotSearch::rivals(const SlotModel::Fit& f) const {
   return ranked(odds);
 }
 
+/// Structure without a name follows whatever form a cause has: a law that lacks no more than its
+/// form may be off by is not ruled out.
+bool SlotSearch::is_as_good(const Rival& rival, const Rival& best) const {
+  const auto& list = all_.list;
+  const bool may_lack = !list[static_cast<std::size_t>(best.hypothesis)].named &&
+                        list[static_cast<std::size_t>(rival.hypothesis)].is_law;
+  return rival.log_odds >= (1.0 - (may_lack ? kFormError * kFormError : 0.0)) * best.log_odds;
+}
+
 std::vector<Rival> SlotSearch::credible(const Slots& slots, std::size_t slot) const {
   std::vector<Rival> list = rivals(slots, slot);
   double sum = 0.0;
@@ -265,14 +274,21 @@ std::vector<Rival> SlotSearch::credible(const Slots& slots, std::size_t slot) co
   while (count < list.size() && sum < kCredible && list[count].log_odds > 0.0)
     sum += list[count++].probability;
   if (sum < kCredible) return {};
-  // Structure without a name follows whatever form a cause has: a name that lacks no more than its
-  // form may be off by is not ruled out.
-  const Hypothesis& best = all_.list[static_cast<std::size_t>(list.front().hypothesis)];
-  const double off = best.named ? 0.0 : kFormError * kFormError;
-  const double as_good = (1.0 - off) * list.front().log_odds;
-  while (count < list.size() && list[count].log_odds >= as_good) ++count;
-  list.resize(count);
+  const auto rest = list.begin() + static_cast<std::ptrdiff_t>(count);
+  list.erase(
+      std::remove_if(rest, list.end(),
+                     [best = list.front(), this](const Rival& r) { return !is_as_good(r, best); }),
+      list.end());
   return list;
+}
+
+double SlotSearch::may_lack(const Slots& slots) const {
+  Slots exact;
+  for (std::size_t i = 0; i < slots.entries.size(); ++i)
+    if (!model_.hypothesis_of(slots.entries[i]).is_law)
+      exact = with(std::move(exact), slots.entries[i], slots.variances[i]);
+  const double of_laws = slots.log_posterior - model_.weighed(std::move(exact)).log_posterior;
+  return kFormError * kFormError * std::max(0.0, of_laws);
 }
 
 bool SlotSearch::are_named(const Slots& slots) const {

@@ -46,6 +46,9 @@ class SlotSearch {
   /// The smallest set of hypotheses that holds a slot's cause with kCredible; empty where nothing
   /// in its place is not ruled out by that.
   std::vector<Rival> credible(const Slots& slots, std::size_t slot) const;
+  /// Log posterior odds that the forms of the slots' laws may lack against structure without a
+  /// name, which follows any form.
+  double may_lack(const Slots& slots) const;
   /// The same slots, each with the most probable name of its credible set, where there is one.
   Slots with_names(Slots slots) const;
   /// Every hypothesis on top of the slots, with a name or not.
@@ -63,6 +66,7 @@ class SlotSearch {
   };
   std::optional<Sized> best(const SlotModel::Fit& f) const;
   std::vector<Rival> rivals(const SlotModel::Fit& f) const;
+  bool is_as_good(const Rival& rival, const Rival& best) const;
   std::vector<Rival> ranked(const std::vector<double>& odds) const;
   std::optional<Rival> name_of(const std::vector<Rival>& set) const;
   bool polish(FittedSlots& fitted, int region) const;

@@ -110,6 +110,7 @@ struct Candidate {
   bool of_all_places = false;   ///< one law, with one coefficient, at all places of one make
   bool of_body = false;         ///< parameters of a body
   bool has_model_form = false;  ///< its columns are the mechanism's own, unlike a friction law's
+  bool is_value = false;        ///< no law's form, though its columns are made of what is measured
   bool sized_twice = false;  ///< its one coefficient and its first nonlinear parameter are one size
   bool of_its_time = false;  ///< says what was at some time of a log, which no other log confirms
   bool nuisance = false;     ///< is in every measurement: fitted, and no name for what is wrong

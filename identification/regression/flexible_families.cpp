@@ -221,6 +221,13 @@ MatrixXd spline_basis(const VectorXd& x, double low, double high, int count) {
   return basis;
 }
 
+Candidate any_law(const std::string& depends_on, const LogSignal& values, double low, double high,
+                  int axis, int channel) {
+  constexpr int count = 8;
+  return spline_family(unnamed(CandidateKind::flexible, depends_on, axis, channel), values, low,
+                       high, count, axis, 0.0);
+}
+
 Candidate changing_in_time(const std::string& depends_on, const LogSignal& term, double duration,
                            int axis, int channel) {
   constexpr int count = 5;
@@ -325,9 +332,7 @@ std::vector<Candidate> varying_values(const FlexibleRanges& r, int axis, int cha
   const LogSignal acceleration = [axis](const Recording& log) {
     return VectorXd(log.qdd.col(axis));
   };
-  constexpr int laws = 8;
-  return {spline_family(unnamed(CandidateKind::flexible, "the model's effort", axis, channel),
-                        effort, -r.effort, r.effort, laws, axis, 0.0),
+  return {any_law("the model's effort", effort, -r.effort, r.effort, axis, channel),
           changing_in_time("time x the model's effort", effort, r.duration, axis, channel),
           changing_in_time("time x acceleration", acceleration, r.duration, axis, channel)};
 }

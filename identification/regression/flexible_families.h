@@ -38,6 +38,10 @@ std::vector<Candidate> varying_values(const FlexibleRanges& ranges, int axis = 0
 /// Signal of a log, a value a sample.
 using LogSignal = std::function<Eigen::VectorXd(const Recording&)>;
 
+/// What depends on `values` alone, by any law: B-splines in them. low < high.
+Candidate any_law(const std::string& depends_on, const LogSignal& values, double low, double high,
+                  int axis, int channel);
+
 /// Whatever `term` is in a log, by a share that changes over the log: times B-splines in time.
 /// `depends_on`: "time x force". duration: of the longest log, s.
 Candidate changing_in_time(const std::string& depends_on, const LogSignal& term, double duration,

@@ -45,9 +45,11 @@ void DrivenSubject::add_mechanism_candidates() {
       else if (effect != "inertial_parameters" || !is_lone_link())
         take(std::move(candidate), {effect, 0, {}, {}});
     }
-  if (tendons_)
-    for (TendonColumns::AtTendon& each : tendons_->candidates(problem_.training))
-      take(std::move(each.candidate), {each.effect, 0, {}, each.place, each.everywhere});
+  if (!tendons_) return;
+  for (TendonColumns::AtTendon& each : tendons_->candidates(problem_.training))
+    take(std::move(each.candidate), {each.effect, 0, {}, each.place, each.everywhere});
+  for (Candidate& each : tendons_->structure(problem_.training))
+    take(std::move(each), {"", 0, {}, {}});
 }
 
 /// A gain, a leaning base and a payload all make another weight of a lone joint: which of them it

@@ -4,9 +4,11 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "generator/assemble.h"
 #include "identification/logs/filter.h"
+#include "identification/regression/flexible_families.h"
 #include "identification/regression/standstill.h"
 #include "identification/subjects/effect_candidate.h"
 #include "identification/subjects/model_candidates.h"
@@ -205,6 +207,7 @@ Candidate TendonColumns::candidate(const Effect& effect, Index tendon) const {
   Candidate c = effect_candidate(
       effect, {0, tendon_place(names_[static_cast<std::size_t>(tendon)]), false}, no_scale);
   c.channels.clear();
+  c.is_value = effect.scales_force || effect.felt_by_motor;
   const Index n = coordinates_;
   const double motor_arm = effect.felt_by_motor ? motor_radius_.value_or(0.0) : 0.0;
   if (effect.scales_force && !effect.changes_arm) c.secant = kFarArm;
@@ -269,6 +272,40 @@ std::vector<TendonColumns::AtTendon> TendonColumns::candidates(
     if (!effect->of_one_make || names_.size() < 2) continue;
     const Candidate all = common_candidate(*effect);
     list.push_back({all, effect->id, all.place, true});
+  }
+  return list;
+}
+
+/// What a force sensor says more or less, at the joints that its tendon passes and at its motor.
+Candidate TendonColumns::at_sensor(Candidate c, Index tendon) const {
+  c.place = tendon_place(names_[static_cast<std::size_t>(tendon)]);
+  c.channels.clear();
+  c.columns = [of_force = c.columns, tendon, n = coordinates_,
+               motor_arm = motor_radius_.value_or(0.0)](const Recording& log, int channel,
+                                                        const VectorXd& shape) -> MatrixXd {
+    const VectorXd arm = arm_at(log, tendon, n, channel, motor_arm);
+    if (arm.isZero(0.0)) return MatrixXd(log.q.rows(), 0);
+    return arm.asDiagonal() * of_force(log, channel, shape);
+  };
+  return c;
+}
+
+std::vector<Candidate> TendonColumns::structure(const std::vector<Recording>& logs) const {
+  std::vector<Candidate> list;
+  for (Index t = 0; t < static_cast<Index>(names_.size()); ++t) {
+    const LogSignal force = [t](const Recording& log) -> VectorXd {
+      return log.signals.at("agreeing_tension").col(t);
+    };
+    double low = std::numeric_limits<double>::infinity(), high = -low, duration = 0.0;
+    for (const Recording& log : logs) {
+      const VectorXd own = force(log);
+      low = std::min(low, own.minCoeff());
+      high = std::max(high, own.maxCoeff());
+      duration = std::max(duration, log.time(log.time.size() - 1) + log.step - log.started());
+    }
+    if (!(high > low)) continue;
+    list.push_back(at_sensor(any_law("force", force, low, high, 0, 0), t));
+    list.push_back(at_sensor(changing_in_time("time x force", force, duration, 0, 0), t));
   }
   return list;
 }

@@ -53,6 +53,10 @@ class TendonColumns {
   /// logs: as add_signals() left them; they say how large moment arms are.
   std::vector<AtTendon> candidates(const std::vector<Recording>& logs) const;
 
+  /// Structure without a name: each tendon's force by any law, and by a share that changes over the
+  /// log, as a force sensor that saturates or warms up. logs: as add_agreeing_tension() left them.
+  std::vector<Candidate> structure(const std::vector<Recording>& logs) const;
+
   Eigen::Index coordinates() const { return coordinates_; }
 
  private:
@@ -61,6 +65,7 @@ class TendonColumns {
   };
   Joined joined_to(const Function& motion, Eigen::Index tendon) const;
   Candidate candidate(const Effect& effect, Eigen::Index tendon) const;
+  Candidate at_sensor(Candidate of_force, Eigen::Index tendon) const;
   Candidate common_candidate(const Effect& effect) const;
   Eigen::VectorXd lacking_tension(const Recording& log, Eigen::Index tendon, double larger) const;
   /// Of one tendon, whose moment arms are larger than the model's by that share.
