@@ -264,7 +264,8 @@ TEST_CASE("a coupled joint takes from the joint before it what its ratio gives: 
   }
 }
 
-TEST_CASE("tendons of fingers and hands pull, none is cut off at a least force") {
+TEST_CASE("tendons of fingers and hands pull, none is cut off at a least force",
+          "[slow][thorough]") {
   // Planted defect: a pretension of each tendon by itself, cut off at half a newton (seed 3).
   for (const char* name : {"finger", "hand"})
     for (std::uint64_t seed = 1; seed < 7; ++seed) {

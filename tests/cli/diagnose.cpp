@@ -148,7 +148,7 @@ TEST_CASE("a first look names what is large, says that it is one, and adopts not
   CHECK_FALSE(fs::exists(bench.path("found/identified.toml")));
 }
 
-TEST_CASE("a payload on a finger is found in the forces of its tendons", "[slow]") {
+TEST_CASE("a payload on a finger is found in the forces of its tendons", "[slow][thorough]") {
   // The log comes from a copy whose distal link is heavier.
   const Workplace bench;
   for (const char* part : {"motor", "lever", "tendon", "guiding", "capstan"})

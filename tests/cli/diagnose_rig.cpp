@@ -87,7 +87,7 @@ TEST_CASE("a lever's sensor that is slow or loose is named") {
 
 // Planted defects, each seen red in one of the next three: the speeds of both angles exchanged in
 // the recording; the rates left at zero; a sensor's steps looked for in the other angle.
-TEST_CASE("a wrist's sensor that is slow is named at its angle", "[slow]") {
+TEST_CASE("a wrist's sensor that is slow is named at its angle", "[slow][thorough]") {
   const Workplace slow =
       wrist_that_has(WristLog({{"sensor_low_pass", "q71", {}, {{"lag", 0.01, 0.0, "s"}}}}));
   const Ended late = diagnosed_wrist(slow);

@@ -151,7 +151,7 @@ void check_told(bool motors) {
 // stayed set aside by its first half, and nothing of it was told. With a price of a number for
 // every sample of the push it was not told without the motors: structure over the stroke was worth
 // more.
-TEST_CASE("friction in a finger's guides is told, and a push at its tip", "[slow]") {
+TEST_CASE("friction in a finger's guides is told, and a push at its tip", "[slow][thorough]") {
   check_told(false);
 }
 

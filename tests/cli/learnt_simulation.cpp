@@ -266,7 +266,7 @@ force = { value = 0.1, unit = "N" }
 }  // namespace
 
 TEST_CASE("a finger's payload and guiding friction that were learnt act in its simulation",
-          "[learnt][slow]") {
+          "[learnt][slow][thorough]") {
   // The forces are given, as they were measured, and joints compared over short windows: under
   // given forces a finger does not stay where it is.
   const Loop loop("index");
@@ -340,7 +340,7 @@ TEST_CASE("a payload that was learnt at a hand's finger acts in the hand's simul
 }
 
 TEST_CASE("what a lever's and a wrist's calibration taught acts in what their models say",
-          "[learnt][slow]") {
+          "[learnt][slow][thorough]") {
   // Planted defect: replayed_rig() without the folder's identified.toml: the same before and after.
   const auto learns = [](const char* model, const auto& log) {
     INFO(model);

@@ -69,7 +69,8 @@ bool can_trace(const Workplace& here) {
 
 }  // namespace
 
-TEST_CASE("a diagnosis killed while it writes leaves all old or all new", "[outputs][slow]") {
+TEST_CASE("a diagnosis killed while it writes leaves all old or all new",
+          "[outputs][slow][thorough]") {
   // Planted defect: recover_interrupted() that settles nothing: the model stays extended beside the
   // old report, and drafts stay.
   const Bench bench;

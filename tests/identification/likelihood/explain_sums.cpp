@@ -52,7 +52,7 @@ const ParameterEstimate* first_parameter(const Verdict& verdict, const std::stri
 }  // namespace
 
 // Errors of the form of what was found are no part of sums: a name beside a true one may differ.
-TEST_CASE("sums come to the verdict of their logs", "[slow]") {
+TEST_CASE("sums come to the verdict of their logs", "[slow][thorough]") {
   unsigned seed = 41;
   int alike = 0;
   for (const std::vector<std::string>& effects : {std::vector<std::string>{"viscous asymmetry"},

@@ -19,7 +19,8 @@ using diagnosis::Findings;
 
 }  // namespace
 
-TEST_CASE("friction that a model lacks at every joint is named at every joint", "[slow]") {
+TEST_CASE("friction that a model lacks at every joint is named at every joint",
+          "[slow][thorough]") {
   const Mechanism arm = arm_of_five();
   const ArmFriction friction{0.6, 0.4};
   const Findings found =
@@ -71,7 +72,8 @@ TEST_CASE("logs of thousands of rows a second are diagnosed like slower ones", "
   CHECK(cause.parameters.front().value == Approx(0.3 * arm.bodies.back().mass).epsilon(0.1));
 }
 
-TEST_CASE("a link that is heavier than its drawing is named, and the model takes it", "[slow]") {
+TEST_CASE("a link that is heavier than its drawing is named, and the model takes it",
+          "[slow][thorough]") {
   // Planted defect: without add_inertial (rigid_candidates.cpp) the joints get torque constants,
   // cable torques and what has no name.
   const Mechanism arm = arm_of_five();
@@ -148,7 +150,7 @@ TEST_CASE("a position's noise is no elasticity of a gear") {
   CHECK(found.verdict.causes.empty());
 }
 
-TEST_CASE("logs of twenty rows a second are diagnosed", "[slow]") {
+TEST_CASE("logs of twenty rows a second are diagnosed", "[slow][thorough]") {
   // Planted defects: with the second derivative scaled to be exact on parabolas (filter.cpp) all
   // accelerations are 0.6 % off and a torque constant is named; with a pulse as long as the
   // smoothers of faster logs need (pulse_for() without 250) it is shorter than this log's.

@@ -45,7 +45,7 @@ std::string text(const std::vector<DataFault>& faults) {
 
 }  // namespace
 
-TEST_CASE("an arm whose model is incomplete is no faulty log", "[slow]") {
+TEST_CASE("an arm whose model is incomplete is no faulty log", "[slow][thorough]") {
   // A load, gravity and the other joints may drive a joint back all the time. Seen to fail with the
   // model's share of each joint off by itself instead of each link's: all loaded arms are refused.
   const Mechanism nominal = arm_of_five();
@@ -59,7 +59,7 @@ TEST_CASE("an arm whose model is incomplete is no faulty log", "[slow]") {
   }
 }
 
-TEST_CASE("a wrong column of an arm is found by the model and named", "[slow]") {
+TEST_CASE("a wrong column of an arm is found by the model and named", "[slow][thorough]") {
   // Seen to fail as the test before: the motor's effort, and one factor of a half.
   const Mechanism nominal = arm_of_five();
   JudgedArm arm(nominal);

@@ -148,7 +148,8 @@ void check_emitted(const Findings& f) {
 // Planted defects, each seen to fail: the links part as a bare inertia does (without their weight);
 // the first joint does not feel it; the search begins at the fitted gap alone; what
 // impacts leave over is told; the emitted term acts at its own joint alone.
-TEST_CASE("a gap behind a motor's sensor is found with the links' own motion in it", "[slow]") {
+TEST_CASE("a gap behind a motor's sensor is found with the links' own motion in it",
+          "[slow][thorough]") {
   const double gap = 3e-3;
   const Findings f = diagnosed({gap, 9000.0, 10.0}, true);
   INFO(f.headline);

@@ -49,7 +49,8 @@ std::string said(const Findings& found) {
 
 }  // namespace
 
-TEST_CASE("a load of known mass is no deviation, and friction beside it is found", "[slow]") {
+TEST_CASE("a load of known mass is no deviation, and friction beside it is found",
+          "[slow][thorough]") {
   // Planted defect, seen to fail: no payload_effort in the recordings (DrivenSubject::take).
   const Mechanism arm = arm_of_five();
   const ArmFriction friction{0.6, 0.4};
@@ -84,7 +85,7 @@ TEST_CASE("a load of known mass is no deviation, and friction beside it is found
   }
 }
 
-TEST_CASE("a column may say which load a log carried", "[slow]") {
+TEST_CASE("a column may say which load a log carried", "[slow][thorough]") {
   const Mechanism arm = arm_of_five();
   const auto log = [&](std::uint64_t seed) {
     return with_column(csv(draw_log(loaded(arm), seed, {})), "payload [g]", "600");

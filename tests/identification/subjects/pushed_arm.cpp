@@ -83,7 +83,7 @@ TEST_CASE("what a force at a point asks of the joints is its Jacobian's") {
 }
 
 TEST_CASE("a push that no log has is told where it acts and how strong, and spoils nothing else",
-          "[slow]") {
+          "[slow][thorough]") {
   // Planted defects, each seen to fail: a search that does not leave the disturbed stretches out
   // (leave_out); links that are not asked (places_of); no start from the model's own values beside
   // what the pushes have made of a joint (other_starts in slot_search.cpp).
@@ -118,7 +118,7 @@ TEST_CASE("a push that no log has is told where it acts and how strong, and spoi
         }));
 }
 
-TEST_CASE("what comes back at one place of a joint is no push", "[slow]") {
+TEST_CASE("what comes back at one place of a joint is no push", "[slow][thorough]") {
   // A ridge in the second joint's way. Planted defect, seen to fail: told_by_state() always 0.
   const Mechanism arm = arm_of_five();
   const auto log = [&](std::uint64_t seed) {

@@ -64,7 +64,8 @@ double value_of(const NamedCause& cause, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("rotors beside links that are a little off are no other links and no payload", "[slow]") {
+TEST_CASE("rotors beside links that are a little off are no other links and no payload",
+          "[slow][thorough]") {
   // Planted defects, each seen to fail: kOwnSpread at 1e3 (rigid_candidates.cpp; links of thrice
   // their mass stand for the rotors), hold_bodies() without effect (no rotor gains anything beside
   // links that may be anything).
@@ -125,7 +126,7 @@ TEST_CASE("friction that the model lacks is adopted as it is beside a torque con
 }
 
 TEST_CASE("a payload beside a drawing that is off is a body, and the link takes the rest",
-          "[slow]") {
+          "[slow][thorough]") {
   // What the last link's drawing has too much makes what is told of a point's moments less than
   // those of a point. Planted defect: no errors of drawings (physical_links.cpp): the nearest body
   // leaves a tenth more over at the last joint.

@@ -79,7 +79,8 @@ std::string log_of(double step, std::uint64_t seed, double seconds) {
 
 }  // namespace
 
-TEST_CASE("friction that sticks in slow logs is no elasticity, delay or backlash", "[slow]") {
+TEST_CASE("friction that sticks in slow logs is no elasticity, delay or backlash",
+          "[slow][thorough]") {
   // Planted defect: with everything compared up to 60 Hz, where the smoothed motion ends at 25 or
   // at 10 (set_bands()), all nine get gear elasticity or backlash. Where a joint at rest holds no
   // more than what is usual there, two of nine get an unlogged force.

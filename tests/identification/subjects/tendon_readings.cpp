@@ -46,7 +46,8 @@ std::vector<DataFault> noisy_stops(const test::TendonFingerLog& finger,
 
 }  // namespace
 
-TEST_CASE("a wrong column of a tendon-driven finger is found by the model and named", "[slow]") {
+TEST_CASE("a wrong column of a tendon-driven finger is found by the model and named",
+          "[slow][thorough]") {
   // Seen to fail where a fiftieth of an inertia was as likely as twice as much: an angle of a motor
   // in degrees passes.
   struct Planted {
@@ -84,7 +85,7 @@ TEST_CASE("a wrong column of a tendon-driven finger is found by the model and na
   }
 }
 
-TEST_CASE("a finger that lacks something is no faulty log", "[slow]") {
+TEST_CASE("a finger that lacks something is no faulty log", "[slow][thorough]") {
   const test::TendonFingerLog finger;
   CHECK(stops(finger, [](Recording&) {}).empty());
   CHECK(stops(finger, [](Recording& r) { r.signals["tension"].col(4).array() += 8.0; }).empty());
@@ -130,7 +131,7 @@ TEST_CASE("a channel of which the model explains less than half is told") {
   CHECK(faults_at(0.2).empty());
 }
 
-TEST_CASE("a factor or a sign of one force is told with its column", "[slow]") {
+TEST_CASE("a factor or a sign of one force is told with its column", "[slow][thorough]") {
   // Seen to fail where what pulls at rest told nothing (offsets free): a factor of 3 of the first
   // force passes, and the antagonist's is told for a half.
   const test::TendonFingerLog finger;
