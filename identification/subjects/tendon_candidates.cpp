@@ -292,16 +292,16 @@ Candidate TendonColumns::at_sensor(Candidate c, Index tendon) const {
 
 std::vector<Candidate> TendonColumns::structure(const std::vector<Recording>& logs) const {
   std::vector<Candidate> list;
+  const double duration = scale_of(logs, 0).duration;
   for (Index t = 0; t < static_cast<Index>(names_.size()); ++t) {
     const LogSignal force = [t](const Recording& log) -> VectorXd {
       return log.signals.at("agreeing_tension").col(t);
     };
-    double low = std::numeric_limits<double>::infinity(), high = -low, duration = 0.0;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Recording& log : logs) {
       const VectorXd own = force(log);
       low = std::min(low, own.minCoeff());
       high = std::max(high, own.maxCoeff());
-      duration = std::max(duration, log.time(log.time.size() - 1) + log.step - log.started());
     }
     if (!(high > low)) continue;
     list.push_back(at_sensor(any_law("force", force, low, high, 0, 0), t));
