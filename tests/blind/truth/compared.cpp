@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <unsupported/Eigen/FFT>
 
 namespace sinew::trials {
 namespace {
@@ -91,7 +93,9 @@ double rig_band(double step) {
 }
 
 ComparedFilter::ComparedFilter(double step, double band)
-    : band_(band), every_(std::max<Index>(1, static_cast<Index>(std::floor(0.4 / (band * step))))) {
+    : band_(band),
+      step_(step),
+      every_(std::max<Index>(1, static_cast<Index>(std::floor(0.4 / (band * step))))) {
   constexpr double edge = 0.25;  // s: the smoothers reach beyond the ends of a log
   edge_ = static_cast<Index>(std::lround(edge / step));
   half_ = 9 * every_;
@@ -124,13 +128,34 @@ VectorXd ComparedFilter::at_instants(const VectorXd& x) const {
   return y;
 }
 
+VectorXd ComparedFilter::in_band(const VectorXd& kept) const {
+  Eigen::FFT<double> fft;
+  std::vector<double> in(kept.begin(), kept.end());
+  std::vector<std::complex<double>> lines;
+  if (in.empty()) return {};
+  fft.fwd(lines, in);
+  // A line for each whole number of periods; the filter lets part of what is above the band
+  // through.
+  const double periods = band_ * step_ * static_cast<double>(every_ * kept.size());
+  const auto count = std::min(kept.size() / 2, static_cast<Index>(periods) + 1);
+  VectorXd band(2 * count);
+  for (Index k = 0; k < count; ++k) {
+    const std::complex<double> line =
+        lines[static_cast<std::size_t>(k)] * (k == 0 ? 1.0 : std::numbers::sqrt2);
+    band(2 * k) = line.real();
+    band(2 * k + 1) = line.imag();
+  }
+  return band;
+}
+
 VectorXd ComparedFilter::ends(const VectorXd& x) const {
   const Index n = kept(x);
   const double tail = 0.05 * static_cast<double>(n);
   VectorXd weight(n);
   for (Index k = 0; k < n; ++k) {
     const double inside = static_cast<double>(std::min(k, n - 1 - k)) + 0.5;
-    weight(k) = inside < tail ? std::pow(std::sin(0.5 * std::numbers::pi * inside / tail), 2.0) : 1.0;
+    weight(k) =
+        inside < tail ? std::pow(std::sin(0.5 * std::numbers::pi * inside / tail), 2.0) : 1.0;
   }
   return weight;
 }
@@ -140,8 +165,11 @@ Size size_of(const std::vector<Channel>& channels, double step) {
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const Channel& channel = channels[c];
     const ComparedFilter filter(step, channel.band);
-    const VectorXd weight = filter.at_instants(channel.moving).cwiseProduct(filter.ends(channel.moving));
-    const auto seen = [&](const VectorXd& x) -> VectorXd { return filter(x).cwiseProduct(weight); };
+    const VectorXd weight =
+        filter.at_instants(channel.moving).cwiseProduct(filter.ends(channel.moving));
+    const auto seen = [&](const VectorXd& x) {
+      return filter.in_band(filter(x).cwiseProduct(weight));
+    };
     const double unit = seen(channel.noise).norm();
     VectorXd left = seen(channel.added);
     if (!(unit > 0.0)) continue;

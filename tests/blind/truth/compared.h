@@ -18,13 +18,15 @@ class ComparedFilter {
   VectorXd operator()(const VectorXd& x) const;
   /// The samples on which what is kept is centred.
   VectorXd at_instants(const VectorXd& x) const;
+  /// Of kept samples what is compared: their spectrum up to the band, as real numbers.
+  VectorXd in_band(const VectorXd& kept) const;
   /// What the kept samples count for at the ends.
   VectorXd ends(const VectorXd& x) const;
   double band() const { return band_; }
 
  private:
   Index kept(const VectorXd& x) const;
-  double band_;
+  double band_, step_;
   Index every_, half_, edge_;
   VectorXd kernel_;
 };

@@ -69,7 +69,8 @@ class Sizer {
     const auto a = plant_.left_over(with), b = plant_.left_over(without),
                noisy = plant_.left_over(measured);
     const auto fitted = plant_.fitted(without, which);
-    const auto moving = plant_.moving(without);
+    // The samples that count are those of the log that is given.
+    const auto moving = plant_.moving(with);
     const auto bands = plant_.bands(without, measured);
     std::vector<Channel> channels;
     for (std::size_t c = 0; c < a.size(); ++c) {

@@ -131,11 +131,12 @@ MatrixXd needed_efforts(const Jointed& jointed, const Course& course,
       held(soft) = 0.0;
       const double asked = chain.torque(q, v, held)(soft) + known;
       if (k == 0) behind->start(q(soft), v(soft));
-      for (int s = 0; s < course.inner; ++s) {
-        const Index i = first + s;
+      // As much before the instant as behind it: half a row's lead would be an effect of its own.
+      const Index begin = std::max<Index>(first - course.inner / 2, 0),
+                  end = first + course.inner - course.inner / 2;
+      for (Index i = begin; i < end; ++i)
         pull += behind->pull(course.q(i, soft), course.v(i, soft), behind_gear, asked, step) /
-                course.inner;
-      }
+                static_cast<double>(end - begin);
       a(soft) = (pull - asked) / behind_gear;
     }
     VectorXd rigid = chain.torque(q, v, a);
