@@ -14,9 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Expected of a drawing's masses, of a tendon's arm, and of a drive that the model is without: as
-// much as the whole mechanism weighs, or in shares of what the model asks of such coordinates.
-constexpr double kMass = 0.1, kArm = 0.05, kDrive = 10.0;
+// Expected of a drawing's masses, of a tendon's arm, of friction, which a warm drive has a third
+// less of than a cold one, and of a drive that the model is without: as much as the whole mechanism
+// weighs, or in shares of what the model asks of such coordinates.
+constexpr double kMass = 0.1, kArm = 0.05, kFriction = 0.1, kDrive = 10.0;
 constexpr double kGravity = 9.81;       // m/s^2
 constexpr std::size_t kMostLinks = 10;  // that are told apart: an arm's or a finger's, not a hand's
 constexpr Index kPerLink = RigidColumns::kBodyColumns;
@@ -33,7 +34,7 @@ std::vector<Unknown> unknowns_of_links(Index columns) {
 
 /// By the model, all coordinates: samples x coordinates each.
 struct DrivenEquations::Said {
-  MatrixXd rest, load, inertia, speed, links, all;
+  MatrixXd rest, load, inertia, viscous, coulomb, links, all;
 };
 
 struct DrivenEquations::Logged {
@@ -66,7 +67,9 @@ DrivenEquations::Said DrivenEquations::said_of(const Recording& r, MatrixXd link
   const MatrixXd starting = effort_(r, r.q, none, r.qdd);
   said.all = effort_(r, r.q, r.qd, r.qdd);
   said.inertia = starting - loaded;
-  said.speed = said.all - starting;
+  const MatrixXd speed = said.all - starting;
+  said.viscous = effort_(r, r.q, 2.0 * r.qd, r.qdd) - said.all;
+  said.coulomb = speed - said.viscous;
   if (!rigid_) return said;
   // The links' part is asked for link by link.
   Recording motion;
@@ -81,7 +84,9 @@ DrivenEquations::Said DrivenEquations::said_of(const Recording& r, MatrixXd link
   const Index n = rigid_->coordinates();
   said.rest.leftCols(n) -= at_rest;
   said.inertia.leftCols(n) -= started - at_rest;
-  said.speed.leftCols(n) -= moving - started;
+  // Centrifugal and Coriolis torques, which are four times as large at twice the speed.
+  said.viscous.leftCols(n) -= 3.0 * (moving - started);
+  said.coulomb.leftCols(n) += 2.0 * (moving - started);
   said.links = std::move(links);
   return said;
 }
@@ -146,8 +151,9 @@ EffortParts DrivenEquations::parts_at(const Recording& r, const Said& said, Inde
   const Index per = c < of_links ? said.links.cols() / of_links : 0;
   parts.links.resize(parts.said.size(), per);
   if (per > 0) parts.links = said.links(moving, Eigen::seqN(per * c, per));
-  parts.drive.resize(parts.said.size(), 3);
-  parts.drive << said.rest.col(c)(moving), said.inertia.col(c)(moving), said.speed.col(c)(moving);
+  parts.drive.resize(parts.said.size(), 4);
+  parts.drive << said.rest.col(c)(moving), said.inertia.col(c)(moving), said.viscous.col(c)(moving),
+      said.coulomb.col(c)(moving);
   parts.own = own_drive(r.qd.col(c), r.qdd.col(c))(moving, Eigen::seqN(0, 3));
   if (i >= by_tendons_) return parts;
   const MatrixXd& tension = r.signals.at("tension");
@@ -194,11 +200,11 @@ EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usu
   };
   if (parts.load.size() > 0) add(parts.load, Unknown::Kind::fixed, kOwnConstant);
   for (Index k = 0; k < parts.drive.cols(); ++k)
-    add(parts.drive.col(k), Unknown::Kind::share, kAnyway);
+    add(parts.drive.col(k), Unknown::Kind::share, k < 2 ? kAnyway : kFriction);
   for (Index k = 0; k < parts.own.cols(); ++k) {
     const double size = rms(parts.own.col(k).array());
     // What the model has of a drive it knows.
-    const bool has = parts.drive.col(k == 0 ? 1 : 2).squaredNorm() > 0.0;
+    const bool has = parts.drive.col(k + 1).squaredNorm() > 0.0;
     if (size > 0.0)
       add(parts.own.col(k) / size, Unknown::Kind::added, has ? kAnyway * usual : drive);
   }

@@ -22,7 +22,7 @@ struct EffortParts {
   Eigen::VectorXd measured, said;
   Eigen::MatrixXd links;    ///< of each body, see RigidColumns::body_columns()
   Eigen::VectorXd load;     ///< what the logged load makes of `said`; empty: none is logged
-  Eigen::MatrixXd drive;    ///< the rest of `said`: at rest, by acceleration, by speed
+  Eigen::MatrixXd drive;    ///< the rest of `said`: at rest, by acceleration, viscous, Coulomb
   Eigen::MatrixXd own;      ///< unit inertia, viscous and Coulomb friction of the coordinate
   Eigen::MatrixXd tendons;  ///< torque of each tendon's measured force; no columns: none
   Eigen::MatrixXd guides;   ///< the same against the tendon's motion: friction in its guides

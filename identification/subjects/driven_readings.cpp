@@ -24,7 +24,8 @@ using Eigen::VectorXd;
 constexpr std::size_t kOfAnyKind = 30;  // columns, of which each may be exchanged with any other
 constexpr double kSilent = 1e9;         // a factor that leaves nothing of a column
 constexpr double kSlowest = 5.0;        // clock
-constexpr int kClocks = 20;             // tried each way
+constexpr double kLeastClock = 1.4;     // less is what a machine's own values say, and no clock's
+constexpr int kClocks = 16;             // tried each way
 
 /// By how much a column is too large, by least squares beside what a drive may have of its own.
 class Overlap {
@@ -238,11 +239,13 @@ class DrivenJudge {
       const double here = evidence(reading);
       if (here > most_likely) most_likely = here, best = reading;
     };
-    const double apart = std::log(kSlowest) / kClocks;
-    for (int k = -kClocks; k <= kClocks; ++k) offer(std::exp(apart * k));
+    const double least = std::log(kLeastClock), apart = (std::log(kSlowest) - least) / kClocks;
+    for (int k = 0; k <= kClocks; ++k)
+      for (const double way : {-1.0, 1.0}) offer(std::exp(way * (least + apart * k)));
     for (double near = 0.5 * apart; near > 1e-3; near *= 0.5) {
-      const double middle = best.factor;
-      for (const double off : {-near, near}) offer(middle * std::exp(off));
+      const double middle = std::log(best.factor);
+      for (const double off : {-near, near})
+        if (std::abs(middle + off) >= least) offer(std::exp(middle + off));
     }
     return best;
   }
