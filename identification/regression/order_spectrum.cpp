@@ -5,97 +5,124 @@
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
-#include <complex>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
 #include <utility>
+
+#include "identification/regression/spectrum.h"
 
 namespace sinew::diagnosis {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kFalseAlarm = 1e-4;  // of a search over all orders
-// What a line may lack at its whole order of the energy at its top: an eighth of its width, and
+// What a line may lack at its whole order of the energy at its top: a fifth of its width, and
 // noise.
-constexpr double kOffTop = 0.05, kByNoise = 3.0;
-constexpr int kBinsAPeriod = 8;  // of the highest order
-constexpr double kMostBins = 4e6;
+constexpr double kOffTop = 0.12, kByNoise = 3.0;
+// The noise's spectrum is smooth over a fifth of an octave, and eight bins at the least.
+constexpr Index kLeastBins = 8;
+constexpr double kShareOfBin = 0.125;
 
-/// Energy at equally spaced orders, from 0 on.
-struct OrderSpectrum {
-  double travel = 0.0;  ///< turns
-  double step = 0.0;    ///< orders; an eighth of what the travel resolves
-  VectorXd energy;
-  /// The next one to an order.
-  Index index(double order) const {
-    return std::clamp<Index>(static_cast<Index>(std::lround(order / step)), 0, energy.size() - 1);
+/// Of noise with the smooth spectrum of what to_band() gives, each bin; empty: there is none.
+VectorXd precision_of(const VectorXd& band) {
+  const VectorXd noise = smooth_ratio(bin_energy(band), VectorXd::Constant(band.size() / 2, 2.0),
+                                      kLeastBins, kShareOfBin);
+  return noise.minCoeff() > 0.0 ? VectorXd(noise.cwiseInverse()) : VectorXd();
+}
+
+/// What a log holds of a sine over the shaft's angle, by the matched filter in noise of the
+/// spectrum that the log has: a ripple is a sweep over time, and counts where the noise is low.
+class MatchedLines {
+ public:
+  explicit MatchedLines(const ShaftLog& log) {
+    const Index n = log.turns.size() / 2 * 2;
+    if (n < 4 * kLeastBins || !(travel(log) >= kLeastTurns)) return;
+    turns_ = log.turns.head(n);
+    made_ = VectorXd::Zero(n);
+    made_.tail(n - 1) = (turns_.tail(n - 1) - turns_.head(n - 1)).cwiseAbs();
+    weight_ = log.counts.head(n).cwiseProduct(end_taper(n));
+    MatrixXd band = to_band(weight_.cwiseProduct(log.value.head(n)), n / 2);
+    precision_ = precision_of(band);
+    if (precision_.size() == 0) return;
+    band.array() *= per_row(precision_).array();
+    whitened_ = from_band(band, n);
   }
+
+  /// Energy over its mean in such noise, which is exponentially distributed.
+  double energy(double order) const {
+    const Eigen::ArrayXd angle = 2.0 * std::numbers::pi * order * turns_.array();
+    const Eigen::ArrayXd value = weight_.array() * whitened_.array();
+    const double cosine = (value * angle.cos()).sum(), sine = (value * angle.sin()).sum();
+    double mean = 0.0;
+    for (Index i = 0; i < turns_.size(); ++i)
+      mean += weight_(i) * weight_(i) * precision_(bin_of(order * made_(i)));
+    return mean > 0.0 ? (cosine * cosine + sine * sine) / mean : 0.0;
+  }
+  bool tells() const { return whitened_.size() > 0; }
+
+ private:
+  static double travel(const ShaftLog& log) {
+    return log.turns.size() == 0 ? 0.0 : log.turns.maxCoeff() - log.turns.minCoeff();
+  }
+  /// Where a sine of so many periods a sample has its energy.
+  Index bin_of(double periods) const {
+    const double folded = std::abs(periods - std::round(periods));
+    return std::min(static_cast<Index>(2.0 * folded * static_cast<double>(precision_.size())),
+                    precision_.size() - 1);
+  }
+
+  VectorXd turns_, made_, weight_, precision_, whitened_;
 };
 
-/// The effort's integral over the angle in each of equal parts of the travel: time at rest counts
-/// for nothing, and a part that is passed often for as much more.
-OrderSpectrum spectrum_of(const ShaftLog& log, int highest) {
-  const double low = log.turns.minCoeff(), travel = log.turns.maxCoeff() - low;
-  const double bins_a_turn = static_cast<double>(kBinsAPeriod * highest);
-  const double wanted = std::ceil(travel * bins_a_turn) + 1.0;
-  if (!(travel >= kLeastTurns) || !(wanted <= kMostBins)) return {};
-  std::size_t size = 1;
-  while (static_cast<double>(size) < 8.0 * wanted) size *= 2;
-  std::vector<double> bins(size, 0.0);
-  for (Index i = 1; i < log.turns.size(); ++i) {
-    const auto at = static_cast<std::size_t>((log.turns(i) - low) * bins_a_turn);
-    bins[at] += log.value(i) * std::abs(log.turns(i) - log.turns(i - 1));
+/// Each log's energies at the orders from `lowest` on, over what noise has by their median: what is
+/// left of friction's turning is no stationary noise.
+VectorXd energies(const std::vector<MatchedLines>& logs, int lowest, int highest,
+                  std::vector<double>& levels) {
+  VectorXd sum = VectorXd::Zero(highest - lowest + 1);
+  for (const MatchedLines& log : logs) {
+    VectorXd own(sum.size());
+    for (Index i = 0; i < own.size(); ++i) own(i) = log.energy(static_cast<double>(lowest + i));
+    std::vector<double> sorted(own.begin(), own.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    levels.push_back(std::max(*middle / std::log(2.0), 1e-300));
+    sum += own / levels.back();
   }
-  Eigen::FFT<double> fft;
-  std::vector<std::complex<double>> lines;
-  fft.fwd(lines, bins);
-  OrderSpectrum spectrum;
-  spectrum.travel = travel;
-  spectrum.step = bins_a_turn / static_cast<double>(size);
-  const auto count = static_cast<Index>((highest + 8.0) / spectrum.step);
-  spectrum.energy.resize(std::min(count, static_cast<Index>(size / 2)));
-  for (Index k = 0; k < spectrum.energy.size(); ++k)
-    spectrum.energy(k) = std::norm(lines[static_cast<std::size_t>(k)]);
-  return spectrum;
+  return sum;
 }
 
-/// Mean energy of noise around an order, by the median of what is around its line.
-double noise_around(const OrderSpectrum& s, int order) {
-  const double line = 1.5 / s.travel, around = 2.0 + 8.0 / s.travel;
-  std::vector<double> noise;
-  for (Index k = s.index(order - around); k <= s.index(order + around); ++k)
-    if (std::abs(s.step * static_cast<double>(k) - order) > line) noise.push_back(s.energy(k));
-  if (noise.empty()) return 0.0;
-  const auto middle = noise.begin() + static_cast<std::ptrdiff_t>(noise.size() / 2);
-  std::nth_element(noise.begin(), middle, noise.end());
-  return *middle / std::log(2.0);
-}
-
-/// The logs' energies at a whole order, each over its noise; 0 where their sum has its top
-/// elsewhere: a line between whole orders is no tooth's, pole's or slot's.
-double prominence(const std::vector<OrderSpectrum>& spectra, int order) {
+/// A line between whole orders is no tooth's, pole's or slot's.
+bool has_its_top(const std::vector<MatchedLines>& logs, const std::vector<double>& levels,
+                 int order, double here) {
   constexpr int steps = 20;  // to half an order on each side
-  VectorXd sum = VectorXd::Zero(2 * steps + 1);
-  for (const OrderSpectrum& s : spectra) {
-    const double noise = noise_around(s, order);
-    if (!(noise > 0.0)) continue;
-    for (Index i = 0; i < sum.size(); ++i)
-      sum(i) += s.energy(s.index(order + 0.5 * static_cast<double>(i - steps) / steps)) / noise;
+  double most = here;
+  for (int i = -steps; i <= steps; ++i) {
+    double sum = 0.0;
+    for (std::size_t l = 0; l < logs.size(); ++l)
+      sum += logs[l].energy(order + 0.5 * static_cast<double>(i) / steps) / levels[l];
+    most = std::max(most, sum);
   }
-  return sum(steps) >= (1.0 - kOffTop) * sum.maxCoeff() - kByNoise ? sum(steps) : 0.0;
+  return here >= (1.0 - kOffTop) * most - kByNoise;
 }
 
-/// Sine and cosine of a line beside its log, each sample by its weight, in equal blocks of time.
+/// Sine and cosine of a line beside its log, whitened, each sample by its weight, in equal blocks
+/// of time.
 class LineSums {
  public:
   LineSums(const ShaftLog& log, int order, int blocks, const Eigen::ArrayXd& weight)
-      : blocks_(blocks), columns_(weight.size(), 2) {
+      : blocks_(blocks), values_(VectorXd::Zero(weight.size())), columns_(values_.size(), 2) {
     const Index n = weight.size();
-    const Eigen::ArrayXd angle = 2.0 * std::numbers::pi * order * log.turns.tail(n).array();
-    columns_ << weight * angle.sin(), weight * angle.cos();
-    values_ = weight * log.value.tail(n).array();
+    const Eigen::ArrayXd angle = 2.0 * std::numbers::pi * order * log.turns.head(n).array();
+    MatrixXd all(n, 3);
+    all << weight * angle.sin(), weight * angle.cos(), weight * log.value.head(n).array();
+    MatrixXd band = to_band(all, n / 2);
+    const VectorXd precision = precision_of(band.col(2));
+    if (precision.size() > 0) band = (per_row(precision).cwiseSqrt().asDiagonal() * band).eval();
+    all = from_band(band, n);
+    columns_ = all.leftCols(2);
+    values_ = all.col(2);
     gram_ = 1e-12 * static_cast<double>(n) * Eigen::Matrix2d::Identity() +
             columns_.transpose() * columns_;
     target_ = columns_.transpose() * values_;
@@ -117,8 +144,8 @@ class LineSums {
   Index first(int block) const { return values_.size() * block / blocks_; }
 
   int blocks_;
-  Eigen::MatrixXd columns_;
   VectorXd values_;
+  MatrixXd columns_;
   Eigen::Matrix2d gram_;
   Eigen::Vector2d target_;
 };
@@ -126,21 +153,20 @@ class LineSums {
 }  // namespace
 
 std::vector<OrderLine> order_lines(const std::vector<ShaftLog>& logs, int lowest, int highest) {
-  std::vector<OrderSpectrum> spectra;
-  for (const ShaftLog& log : logs) {
-    OrderSpectrum s = spectrum_of(log, highest);
-    if (s.energy.size() > 0) spectra.push_back(std::move(s));
-  }
+  std::vector<MatchedLines> matched;
+  for (const ShaftLog& log : logs)
+    if (MatchedLines lines(log); lines.tells()) matched.push_back(std::move(lines));
   std::vector<OrderLine> found;
-  if (spectra.empty() || highest < lowest) return found;
-  const double orders = highest - lowest + 1;
+  if (matched.empty() || highest < lowest) return found;
+  std::vector<double> levels;
+  const VectorXd energy = energies(matched, lowest, highest, levels);
   for (int order = lowest; order <= highest; ++order) {
-    OrderLine line{order, prominence(spectra, order), 1.0};
-    if (!(line.prominence > 0.0)) continue;
+    OrderLine line{order, energy(order - lowest), 1.0};
     // Energies of noise are exponentially distributed.
-    line.chance =
-        orders * boost::math::gamma_q(static_cast<double>(spectra.size()), line.prominence);
-    if (line.chance < kFalseAlarm) found.push_back(line);
+    line.chance = static_cast<double>(energy.size()) *
+                  boost::math::gamma_q(static_cast<double>(matched.size()), line.prominence);
+    if (line.chance < kFalseAlarm && has_its_top(matched, levels, order, line.prominence))
+      found.push_back(line);
   }
   std::stable_sort(found.begin(), found.end(), [](const OrderLine& a, const OrderLine& b) {
     return a.prominence > b.prominence;
@@ -149,10 +175,12 @@ std::vector<OrderLine> order_lines(const std::vector<ShaftLog>& logs, int lowest
 }
 
 LineFit fit_line(const ShaftLog& log, int order, int blocks) {
-  const Index n = log.turns.size() - 1;
-  const Eigen::ArrayXd made = (log.turns.tail(n) - log.turns.head(n)).array().abs();
-  const LineSums all(log, order, blocks, made.sqrt());
-  const LineSums slow(log, order, blocks, (order * made < log.fastest).select(made.sqrt(), 0.0));
+  const Index n = log.turns.size() / 2 * 2;
+  Eigen::ArrayXd made = Eigen::ArrayXd::Zero(n);
+  made.tail(n - 1) = (log.turns.segment(1, n - 1) - log.turns.head(n - 1)).array().abs();
+  const Eigen::ArrayXd weight = log.counts.head(n);
+  const LineSums all(log, order, blocks, weight);
+  const LineSums slow(log, order, blocks, (order * made < log.fastest).select(weight, 0.0));
   const Eigen::Vector2d size = slow.fit();
   LineFit fit{size(0), size(1), 0.0, 0.0, VectorXd(blocks), VectorXd(blocks)};
   Eigen::Matrix2Xd left_out(2, blocks);

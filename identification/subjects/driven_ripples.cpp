@@ -9,8 +9,10 @@
 #include <set>
 #include <utility>
 
+#include "identification/logs/filter.h"
 #include "identification/regression/flexible_families.h"
 #include "identification/regression/order_spectrum.h"
+#include "identification/regression/standstill.h"
 #include "identification/subjects/driven_subject.h"
 #include "symbolic/effects/effects.h"
 
@@ -31,9 +33,9 @@ VectorXd number(double value) {
   return VectorXd::Constant(1, value);
 }
 
-/// Splines in position, speed and load, with and without the direction, and all accelerations.
+/// Splines in position, speed and load, with and without the direction.
 MatrixXd smooth_columns(const Recording& log, const std::vector<Candidate>& families, int channel) {
-  std::vector<MatrixXd> parts{log.acceleration(), MatrixXd::Ones(log.q.rows(), 1)};
+  std::vector<MatrixXd> parts{MatrixXd::Ones(log.q.rows(), 1)};
   for (const Candidate& c : families)
     if (c.nonlinear.empty() && c.depends_on.find("time") == std::string::npos)
       parts.push_back(c.columns(log, channel, VectorXd()));
@@ -48,12 +50,13 @@ MatrixXd smooth_columns(const Recording& log, const std::vector<Candidate>& fami
   return all;
 }
 
-/// What a least-squares fit of the columns leaves over.
-VectorXd left_by(const MatrixXd& columns, const VectorXd& target) {
+/// Least squares by the samples that count.
+VectorXd fitted(const MatrixXd& columns, const VectorXd& target, const VectorXd& counts) {
   constexpr double least = 1e-9;  // of a column's energy: splines that nothing moves through
-  MatrixXd gram = columns.transpose() * columns;
+  const MatrixXd counted = counts.asDiagonal() * columns;
+  MatrixXd gram = counted.transpose() * counted;
   gram.diagonal().array() += least * std::max(gram.diagonal().maxCoeff(), 1e-300);
-  return target - columns * gram.llt().solve(VectorXd(columns.transpose() * target));
+  return gram.llt().solve(VectorXd(counted.transpose() * counts.cwiseProduct(target)));
 }
 
 bool is_whole(double order) {
@@ -62,11 +65,30 @@ bool is_whole(double order) {
 
 }  // namespace
 
+/// Above what a drive's control follows, a ripple moves the masses and shows in their acceleration
+/// alone: accelerations up to three tenths of the sampling rate, and the model's effort with them.
+void DrivenSubject::add_fast_motion(Recording& log) const {
+  constexpr double kFast = 0.3;
+  const MatrixXd fast = differentiate(log.signals.at("logged_q"), log.step, kFast / log.step).qdd;
+  log.signals[fast_acceleration] = fast;
+  log.signals[effort_of_fast_motion] = known_(log, log.q, log.qd, fast);
+}
+
 ShaftLog DrivenSubject::shaft_log(std::size_t joint, double turn, const Recording& log) const {
   const auto axis = static_cast<int>(joint);
-  ShaftLog shaft{log.q.col(axis) / turn,
-                 left_by(smooth_columns(log, flexible_families(ranges(joint), axis, axis), axis),
-                         log.target[joint] - log.known[joint])};
+  ShaftLog shaft;
+  shaft.turns = log.q.col(axis) / turn;
+  shaft.counts = motion_window(log.standstills[joint], log.time);
+  shaft.value = log.target[joint] - log.signals.at(effort_of_fast_motion).col(axis);
+  const MatrixXd smooth = smooth_columns(log, flexible_families(ranges(joint), axis, axis), axis);
+  const MatrixXd& slow = log.acceleration();
+  MatrixXd columns(slow.rows(), slow.cols() + smooth.cols());
+  columns << slow, smooth;
+  const VectorXd of_columns = fitted(columns, shaft.value, shaft.counts);
+  // What the model's masses are off by is told by accelerations that are no noise, and holds for
+  // faster ones.
+  columns.leftCols(slow.cols()) = log.signals.at(fast_acceleration);
+  shaft.value -= columns * of_columns;
   if (!log.band_hz.empty()) shaft.fastest = log.band_hz[joint] * log.step;
   return shaft;
 }
@@ -79,8 +101,6 @@ std::vector<OrderLine> DrivenSubject::lines_found(std::size_t joint, double turn
     if (!(q.maxCoeff() - q.minCoeff() >= kLeastTurns * turn)) continue;
     logs.push_back(shaft_log(joint, turn, log));
   }
-  // Over the angle a ripple is a line even where it is faster than the log's samples: these are of
-  // its value at their angles, which speeds that vary spread over all of it.
   const std::vector<OrderLine> lines = order_lines(logs, kLowOrders + 1, kHighestOrder);
   const double motor = model_.joints[joint].motor_turn;
   std::vector<OrderLine> own;

@@ -282,8 +282,8 @@ namespace {
 /// What is kept of a log at its own rate.
 void keep_logged(Recording& log) {
   Signals kept;
-  for (const char* name :
-       {"read_q", "read_qd", "read_qdd", "acceleration", "jerk", "jounce", "tension"})
+  for (const char* name : {fast_acceleration, effort_of_fast_motion, "read_q", "read_qd",
+                           "read_qdd", "acceleration", "jerk", "jounce", "tension"})
     if (const MatrixXd* signal = log.signals.find(name)) kept[name] = *signal;
   log.signals = std::move(kept);
 }
@@ -312,6 +312,7 @@ void DrivenSubject::thin_logs(const Settings& settings) {
       const DecimatingFilter filter = thinning_filter(log.step, highest_compared(log, settings));
       Recording thin = filter.factor > 1 ? thinned(log, filter) : log;
       if (filter.factor > 1) thin.signals[effort_of_logged_motion] = known_(thin);
+      add_fast_motion(log);
       keep_logged(log);
       logged->push_back(std::exchange(log, std::move(thin)));
     }

@@ -59,6 +59,11 @@ struct PayloadNote {
   std::string text;
 };
 
+/// Signals of a log at its own rate: accelerations above the band that is compared, too, and the
+/// model's effort with them.
+inline constexpr const char *fast_acceleration = "fast_acceleration",
+                            *effort_of_fast_motion = "effort_of_fast_motion";
+
 class DrivenSubject {
  public:
   /// `runtime`: folder of the runtime's headers; `rigid`: the mechanism's own columns, or none.
@@ -85,7 +90,8 @@ class DrivenSubject {
 
   const Problem& problem() const { return problem_; }
   /// The logs at their own rate, after prepare(): motion, targets, what is known, loads, and of the
-  /// signals "read_q", "read_qd", "read_qdd", "acceleration", "jerk", "jounce" and "tension".
+  /// signals fast_acceleration, effort_of_fast_motion, "read_q", "read_qd", "read_qdd",
+  /// "acceleration", "jerk", "jounce" and "tension".
   const std::vector<Recording>& logged_training() const { return logged_training_; }
   const std::vector<Recording>& logged_holdout() const { return logged_holdout_; }
   /// Step of the values that the logs have of a channel, SI; 0: none is seen.
@@ -157,6 +163,7 @@ class DrivenSubject {
   void add_ripples(std::size_t joint);
   void add_orders(std::size_t joint, double turn, const std::string& shaft,
                   const std::vector<int>& known);
+  void add_fast_motion(Recording& log) const;
   std::vector<OrderLine> lines_found(std::size_t joint, double turn) const;
   void add_ripple_of_any_period(std::size_t joint);
   void add_model_candidates(std::size_t joint);
