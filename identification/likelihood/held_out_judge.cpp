@@ -2,6 +2,7 @@
 #include "identification/likelihood/held_out_judge.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "identification/diagnosis/verdict_errors.h"
@@ -52,9 +53,66 @@ void HeldOutJudge::measure(const Selection& selection, std::size_t term, NamedCa
   cause.held_out = gain_on_held_out(design_, settings_, selection, term);
 }
 
+/// The model with a member of a set in the place of a term, its shape the best that the search has
+/// of it, fitted; none where it could not be there.
+std::optional<Model> HeldOutJudge::with_member(const Model& whole, std::size_t term,
+                                               const RankedCause& member) const {
+  const auto& list = found_.all.list;
+  const auto h = std::find_if(list.begin(), list.end(),
+                              [&](const Hypothesis& x) { return x.candidate == member.candidate; });
+  const auto moves = [](const Candidate& c) { return c.kind == CandidateKind::delay; };
+  // A delay is no term in the place of another: all of them move with it.
+  if (h == list.end() || moves(*h->source) || moves(*whole.terms[term].candidate))
+    return std::nullopt;
+  const Weights& weights = found_.whitening.training;
+  Model best = whole, tried = whole;
+  double least = std::numeric_limits<double>::infinity();
+  for (const int shape : h->shapes) {
+    tried.terms[term] =
+        h->candidate < 0
+            ? term_of(found_.all, shape)
+            : make_term(design_, *h->source,
+                        found_.all.shapes[static_cast<std::size_t>(shape)].nonlinear, false);
+    tried.terms[term].with_prior = true;
+    const double here = deviance(tried, weights);
+    if (here < least) least = here, best = tried;
+  }
+  refine(design_, weights, best);
+  if (is_beyond_limits(design_, best, solve(stack(best, weights)), term)) return std::nullopt;
+  return best;
+}
+
+bool HeldOutJudge::gives_way(std::size_t term, NamedCause& cause, Selection& adopted) const {
+  double best = cause.members.front().behind;
+  for (const RankedCause& member : cause.members) best = std::min(best, member.behind);
+  for (std::size_t m = 1; m < cause.members.size(); ++m) {
+    const std::optional<Model> other = with_member(adopted.model, term, cause.members[m]);
+    if (!other) continue;
+    const Gain gain = confirmed(*other, term);
+    if (!is_sure(gain)) continue;
+    adopted.model = *other;
+    cause.confirmed = gain;
+    cause.candidate = cause.members[m].candidate;
+    const double behind = cause.members[m].behind;
+    cause.log_odds -= behind - best;
+    const auto kept = cause.members.begin() + static_cast<std::ptrdiff_t>(m);
+    const std::vector<RankedCause> refuted(cause.members.begin(), kept);
+    cause.members.erase(cause.members.begin(), kept);
+    std::erase_if(cause.members, [&](const RankedCause& left) {
+      return std::any_of(refuted.begin(), refuted.end(), [&](const RankedCause& gone) {
+        return gone.name == left.name && gone.place == left.place;
+      });
+    });
+    for (RankedCause& member : cause.members) member.behind -= behind;
+    return true;
+  }
+  return false;
+}
+
 std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
                                                 Selection& adopted) const {
   std::vector<NamedCause> gone;
+  bool other = false;
   Model& model = adopted.model;
   const std::size_t first = model.terms.size() - list.size();
   for (std::size_t i = 0; i < list.size(); ++i) list[i].confirmed = confirmed(model, first + i);
@@ -65,17 +123,25 @@ std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
     const auto least = std::min_element(list.begin(), list.end(), less_sure);
     if (is_sure(least->confirmed)) break;
     const std::size_t term = first + static_cast<std::size_t>(least - list.begin());
+    const VectorXd channels = channels_of(design_, model.terms[term]);
+    const auto judge_others = [&](std::size_t but) {
+      for (std::size_t i = 0; i < list.size(); ++i)
+        if (i != but && channels_of(design_, model.terms[first + i]).dot(channels) > 0.0)
+          list[i].confirmed = confirmed(model, first + i);
+    };
+    if (gives_way(term, *least, adopted)) {
+      other = true;
+      judge_others(static_cast<std::size_t>(least - list.begin()));
+      continue;
+    }
     adopted.noise = own_noise(design_, model);
     measure(adopted, term, *least);
-    const VectorXd channels = channels_of(design_, model.terms[term]);
     gone.push_back(std::move(*least));
     list.erase(least);
     remove_term(design_, term, model);
-    for (std::size_t i = 0; i < list.size(); ++i)
-      if (channels_of(design_, model.terms[first + i]).dot(channels) > 0.0)
-        list[i].confirmed = confirmed(model, first + i);
+    judge_others(list.size());
   }
-  if (gone.empty()) return gone;
+  if (gone.empty() && !other) return gone;
   // The others' shapes were fitted beside what is gone.
   refine(design_, own_noise(design_, model).weights, model);
   adopted.noise = own_noise(design_, model);

@@ -18,9 +18,9 @@ class HeldOutJudge {
       : design_(design), settings_(settings), found_(found) {}
 
   /// Names with what they gain, largest gain first. `of_slot`: as name_slots() gives them, in the
-  /// order of the last terms of `adopted`. What held-out logs do not confirm leaves it, the least
-  /// sure name first, and the others are judged anew: of two that say nearly the same neither is
-  /// sure beside the other.
+  /// order of the last terms of `adopted`. What held-out logs do not confirm gives its place to the
+  /// next member of its set that they confirm, or leaves it, the least sure name first, and the
+  /// others are judged anew: of two that say nearly the same neither is sure beside the other.
   std::vector<NamedCause> causes(const std::vector<NamedCause>& of_slot, Selection& adopted) const;
 
   /// Whether there is structure without a name, and none of it is told and confirmed by them. What
@@ -37,6 +37,10 @@ class HeldOutJudge {
   /// Of a slot without a name; none where they cannot say.
   std::optional<Gain> confirmed_structure(std::size_t slot) const;
   void measure(const Selection& selection, std::size_t term, NamedCause& cause) const;
+  std::optional<Model> with_member(const Model& whole, std::size_t term,
+                                   const RankedCause& member) const;
+  /// Whether another member of its set is confirmed in its place, and has taken it.
+  bool gives_way(std::size_t term, NamedCause& cause, Selection& adopted) const;
   std::vector<NamedCause> withdrawn(std::vector<NamedCause>& list, Selection& adopted) const;
 
   const Design& design_;

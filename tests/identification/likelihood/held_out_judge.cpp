@@ -101,6 +101,25 @@ TEST_CASE("of two names that say the same, neither sure beside the other, one is
   CHECK(j.fitted.size() == 2);
 }
 
+// Seen red with nobody giving way: the logs disagreed.
+TEST_CASE("a member of a set that held-out logs refute gives way to one that they confirm") {
+  Problem problem = problem_of({{"gravity", 1.0, 1.0, -1.0}});
+  // The same in the training log; an encoder that counts from where it was switched on.
+  Candidate ripple = term("ripple", 1.0);
+  ripple.columns = [](const Recording& r, int, const VectorXd&) -> MatrixXd {
+    return (r.name == "later" ? -1.0 : 1.0) * r.q.col(0).array().cos();
+  };
+  problem.library.push_back(ripple);
+  problem.holdout.front().name = "later";
+  const Explanation found = explain(problem, test::below_20_hz(), {});
+  REQUIRE(found.verdict.causes.size() == 1);
+  const NamedCause& cause = found.verdict.causes.front();
+  CHECK(is_sure(cause.confirmed));
+  REQUIRE(cause.members.size() == 1);
+  CHECK(cause.members.front().name == "ripple");
+  CHECK(found.selection.model.terms.back().candidate->name == "ripple");
+}
+
 // Seen red without leave_out_refuted() (explain.cpp): names were told as what the structure leaves.
 TEST_CASE("structure that held-out logs do not confirm is left out of what is found") {
   const auto structure_found = [](double held_out) {
