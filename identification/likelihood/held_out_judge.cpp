@@ -82,28 +82,33 @@ std::optional<Model> HeldOutJudge::with_member(const Model& whole, std::size_t t
   return best;
 }
 
-bool HeldOutJudge::gives_way(std::size_t term, NamedCause& cause, Selection& adopted) const {
-  double best = cause.members.front().behind;
-  for (const RankedCause& member : cause.members) best = std::min(best, member.behind);
-  for (std::size_t m = 1; m < cause.members.size(); ++m) {
-    const std::optional<Model> other = with_member(adopted.model, term, cause.members[m]);
+bool HeldOutJudge::gives_way(std::size_t term, NamedCause& cause, Selection& adopted,
+                             std::vector<NamedCause>& gone) const {
+  std::vector<RankedCause>& set = cause.members;
+  const auto likelier = [](const RankedCause& a, const RankedCause& b) {
+    return a.behind < b.behind;
+  };
+  const double best = std::min_element(set.begin(), set.end(), likelier)->behind;
+  for (auto member = set.begin() + 1; member < set.end(); ++member) {
+    const std::optional<Model> other = with_member(adopted.model, term, *member);
     if (!other) continue;
     const Gain gain = confirmed(*other, term);
     if (!is_sure(gain)) continue;
+    gone.push_back(cause);
+    gone.back().members.erase(gone.back().members.begin() + 1, gone.back().members.end());
     adopted.model = *other;
     cause.confirmed = gain;
-    cause.candidate = cause.members[m].candidate;
-    const double behind = cause.members[m].behind;
+    cause.candidate = member->candidate;
+    const double behind = member->behind;
     cause.log_odds -= behind - best;
-    const auto kept = cause.members.begin() + static_cast<std::ptrdiff_t>(m);
-    const std::vector<RankedCause> refuted(cause.members.begin(), kept);
-    cause.members.erase(cause.members.begin(), kept);
-    std::erase_if(cause.members, [&](const RankedCause& left) {
-      return std::any_of(refuted.begin(), refuted.end(), [&](const RankedCause& gone) {
-        return gone.name == left.name && gone.place == left.place;
+    const std::vector<RankedCause> refuted(set.begin(), member);
+    set.erase(set.begin(), member);
+    std::erase_if(set, [&](const RankedCause& left) {
+      return std::any_of(refuted.begin(), refuted.end(), [&](const RankedCause& out) {
+        return out.name == left.name && out.place == left.place;
       });
     });
-    for (RankedCause& member : cause.members) member.behind -= behind;
+    for (RankedCause& left : set) left.behind -= behind;
     return true;
   }
   return false;
@@ -112,7 +117,6 @@ bool HeldOutJudge::gives_way(std::size_t term, NamedCause& cause, Selection& ado
 std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
                                                 Selection& adopted) const {
   std::vector<NamedCause> gone;
-  bool other = false;
   Model& model = adopted.model;
   const std::size_t first = model.terms.size() - list.size();
   for (std::size_t i = 0; i < list.size(); ++i) list[i].confirmed = confirmed(model, first + i);
@@ -129,8 +133,7 @@ std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
         if (i != but && channels_of(design_, model.terms[first + i]).dot(channels) > 0.0)
           list[i].confirmed = confirmed(model, first + i);
     };
-    if (gives_way(term, *least, adopted)) {
-      other = true;
+    if (gives_way(term, *least, adopted, gone)) {
       judge_others(static_cast<std::size_t>(least - list.begin()));
       continue;
     }
@@ -141,7 +144,7 @@ std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
     remove_term(design_, term, model);
     judge_others(list.size());
   }
-  if (gone.empty() && !other) return gone;
+  if (gone.empty()) return gone;
   // The others' shapes were fitted beside what is gone.
   refine(design_, own_noise(design_, model).weights, model);
   adopted.noise = own_noise(design_, model);

@@ -39,8 +39,10 @@ class HeldOutJudge {
   void measure(const Selection& selection, std::size_t term, NamedCause& cause) const;
   std::optional<Model> with_member(const Model& whole, std::size_t term,
                                    const RankedCause& member) const;
-  /// Whether another member of its set is confirmed in its place, and has taken it.
-  bool gives_way(std::size_t term, NamedCause& cause, Selection& adopted) const;
+  /// Whether another member of its set is confirmed in its place, and has taken it; the first is
+  /// added to those that are gone, without a gain in training: the logs agree on another cause.
+  bool gives_way(std::size_t term, NamedCause& cause, Selection& adopted,
+                 std::vector<NamedCause>& gone) const;
   std::vector<NamedCause> withdrawn(std::vector<NamedCause>& list, Selection& adopted) const;
 
   const Design& design_;

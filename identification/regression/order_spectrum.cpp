@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "identification/regression/noise_model.h"
 #include "identification/regression/spectrum.h"
 
 namespace sinew::diagnosis {
@@ -18,18 +19,15 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kFalseAlarm = 1e-4;  // of a search over all orders
-// What a line may lack at its whole order of the energy at its top: a fifth of its width, and
+// What a line may lack at its whole order of the energy at its top: an eighth of its width, and
 // noise.
-constexpr double kOffTop = 0.12, kByNoise = 3.0;
-// The noise's spectrum is smooth over a fifth of an octave, and eight bins at the least.
-constexpr Index kLeastBins = 8;
-constexpr double kShareOfBin = 0.125;
+constexpr double kOffTop = 0.05, kByNoise = 3.0;
 
-/// Of noise with the smooth spectrum of what to_band() gives, each bin; empty: there is none.
-VectorXd precision_of(const VectorXd& band) {
-  const VectorXd noise = smooth_ratio(bin_energy(band), VectorXd::Constant(band.size() / 2, 2.0),
-                                      kLeastBins, kShareOfBin);
-  return noise.minCoeff() > 0.0 ? VectorXd(noise.cwiseInverse()) : VectorXd();
+/// 1 / the variance of noise with the smooth spectrum of what to_band() gives, each bin. `weight`:
+/// of the samples.
+VectorXd precision_of(const VectorXd& band, const VectorXd& weight) {
+  const VectorXd nothing_fitted = VectorXd::Zero(band.size() / 2);
+  return noise_spectrum(band, nothing_fitted, weight.cwiseAbs2().mean()).cwiseInverse();
 }
 
 /// What a log holds of a sine over the shaft's angle, by the matched filter in noise of the
@@ -38,14 +36,14 @@ class MatchedLines {
  public:
   explicit MatchedLines(const ShaftLog& log) {
     const Index n = log.turns.size() / 2 * 2;
-    if (n < 4 * kLeastBins || !(travel(log) >= kLeastTurns)) return;
+    if (n < 4 || !(travel(log) >= kLeastTurns)) return;
     turns_ = log.turns.head(n);
     made_ = VectorXd::Zero(n);
     made_.tail(n - 1) = (turns_.tail(n - 1) - turns_.head(n - 1)).cwiseAbs();
     weight_ = log.counts.head(n).cwiseProduct(end_taper(n));
+    if (weight_.isZero(0.0)) return;
     MatrixXd band = to_band(weight_.cwiseProduct(log.value.head(n)), n / 2);
-    precision_ = precision_of(band);
-    if (precision_.size() == 0) return;
+    precision_ = precision_of(band, weight_);
     band.array() *= per_row(precision_).array();
     whitened_ = from_band(band, n);
   }
@@ -118,8 +116,9 @@ class LineSums {
     MatrixXd all(n, 3);
     all << weight * angle.sin(), weight * angle.cos(), weight * log.value.head(n).array();
     MatrixXd band = to_band(all, n / 2);
-    const VectorXd precision = precision_of(band.col(2));
-    if (precision.size() > 0) band = (per_row(precision).cwiseSqrt().asDiagonal() * band).eval();
+    if ((weight == 0.0).all()) return;
+    const VectorXd whitening = precision_of(band.col(2), weight.matrix()).cwiseSqrt();
+    band = (per_row(whitening).asDiagonal() * band).eval();
     all = from_band(band, n);
     columns_ = all.leftCols(2);
     values_ = all.col(2);

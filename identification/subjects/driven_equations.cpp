@@ -14,10 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Expected of a drawing's masses, of a tendon's arm, of friction, which a warm drive has a third
-// less of than a cold one, and of a drive that the model is without: as much as the whole mechanism
-// weighs, or in shares of what the model asks of such coordinates.
-constexpr double kMass = 0.1, kArm = 0.05, kFriction = 0.1, kDrive = 10.0;
+// Expected of a drawing's masses and of its friction, of a tendon's arm, and of a drive that the
+// model is without: as much as the whole mechanism weighs, or in shares of what the model asks of
+// such coordinates.
+constexpr double kMassOrFriction = 0.1, kArm = 0.05, kDrive = 10.0;
 constexpr double kGravity = 9.81;       // m/s^2
 constexpr std::size_t kMostLinks = 10;  // that are told apart: an arm's or a finger's, not a hand's
 constexpr Index kPerLink = RigidColumns::kBodyColumns;
@@ -26,7 +26,8 @@ constexpr Index kPerLink = RigidColumns::kBodyColumns;
 std::vector<Unknown> unknowns_of_links(Index columns) {
   std::vector<Unknown> unknowns;
   for (Index k = 0; k < columns; ++k)
-    unknowns.push_back({k % kPerLink == 0 ? Unknown::Kind::share : Unknown::Kind::added, kMass});
+    unknowns.push_back(
+        {k % kPerLink == 0 ? Unknown::Kind::share : Unknown::Kind::added, kMassOrFriction});
   return unknowns;
 }
 
@@ -200,7 +201,7 @@ EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usu
   };
   if (parts.load.size() > 0) add(parts.load, Unknown::Kind::fixed, kOwnConstant);
   for (Index k = 0; k < parts.drive.cols(); ++k)
-    add(parts.drive.col(k), Unknown::Kind::share, k < 2 ? kAnyway : kFriction);
+    add(parts.drive.col(k), Unknown::Kind::share, k < 2 ? kAnyway : kMassOrFriction);
   for (Index k = 0; k < parts.own.cols(); ++k) {
     const double size = rms(parts.own.col(k).array());
     // What the model has of a drive it knows.

@@ -163,7 +163,7 @@ TEST_CASE("a wrong factor of the load or of the clock is found by the model and 
 
 TEST_CASE("a single joint whose model is far off is no faulty log") {
   // A sixfold inertia is no turns. Planted defect: with all that a machine may have otherwise kept
-  // within 1e-4 (kAnyway, kMass) three of them are told.
+  // within 1e-4 (kAnyway, kMassOrFriction) three of them are told.
   const std::function<void(Mechanism&)> lacks[] = {
       [](Mechanism&) {},
       [](Mechanism& m) { m.bodies[0].inertia *= 5.0; },
