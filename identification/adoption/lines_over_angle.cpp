@@ -99,10 +99,9 @@ std::vector<NamedCause> lines_beside(const DrivenSubject& subject, const Verdict
     NamedCause cause;
     cause.cross_validated = gain_of_line(training, settings);
     cause.held_out = cause.confirmed = gain_of_line(held_out, settings);
-    // The spectrum has judged the training logs: beside all else that is left up to half the
-    // sampling rate a line may be little there, and plain at its order.
-    if (!is_material(training, settings) || (!held_out.fits.empty() && !(cause.held_out.low > 0.0)))
-      continue;
+    const bool is_told = is_material(training, settings) && cause.cross_validated.low > 0.0 &&
+                         (held_out.fits.empty() || cause.held_out.low > 0.0);
+    if (!is_told) continue;
     cause.candidate = kNoTerm;
     cause.log_odds = -std::log(std::max(each.line.chance, 1e-300));
     RankedCause member;

@@ -30,6 +30,25 @@ VectorXd precision_of(const VectorXd& band, const VectorXd& weight) {
   return noise_spectrum(band, nothing_fitted, weight.cwiseAbs2().mean()).cwiseInverse();
 }
 
+/// Of each sample, turns from the nearer end of its motion one way, rests being no motion.
+VectorXd turns_from_reversal(const ShaftLog& log, Index n) {
+  VectorXd turns = VectorXd::Zero(n);
+  for (Index from = 0, to = 0; from < n; from = to) {
+    for (to = from + 1; to < n && (log.counts(to) > 0.0) == (log.counts(from) > 0.0);) ++to;
+    if (!(log.counts(from) > 0.0)) continue;
+    const Eigen::ArrayXd own = log.turns.segment(from, to - from).array();
+    turns.segment(from, to - from) =
+        (own - own(0)).abs().min((own - own(own.size() - 1)).abs()).matrix();
+  }
+  return turns;
+}
+
+/// Which samples tell a ripple from what friction does behind a reversal: those that are half a
+/// period of it from one.
+Eigen::ArrayXd tells_order(const VectorXd& from_reversal, double order) {
+  return (from_reversal.array() * order >= 0.5).cast<double>();
+}
+
 /// What a log holds of a sine over the shaft's angle, by the matched filter in noise of the
 /// spectrum that the log has: a ripple is a sweep over time, and counts where the noise is low.
 class MatchedLines {
@@ -41,6 +60,7 @@ class MatchedLines {
     made_ = VectorXd::Zero(n);
     made_.tail(n - 1) = (turns_.tail(n - 1) - turns_.head(n - 1)).cwiseAbs();
     weight_ = log.counts.head(n).cwiseProduct(end_taper(n));
+    from_reversal_ = turns_from_reversal(log, n);
     if (weight_.isZero(0.0)) return;
     MatrixXd band = to_band(weight_.cwiseProduct(log.value.head(n)), n / 2);
     precision_ = precision_of(band, weight_);
@@ -51,11 +71,12 @@ class MatchedLines {
   /// Energy over its mean in such noise, which is exponentially distributed.
   double energy(double order) const {
     const Eigen::ArrayXd angle = 2.0 * std::numbers::pi * order * turns_.array();
-    const Eigen::ArrayXd value = weight_.array() * whitened_.array();
+    const Eigen::ArrayXd weight = weight_.array() * tells_order(from_reversal_, order);
+    const Eigen::ArrayXd value = weight * whitened_.array();
     const double cosine = (value * angle.cos()).sum(), sine = (value * angle.sin()).sum();
     double mean = 0.0;
     for (Index i = 0; i < turns_.size(); ++i)
-      mean += weight_(i) * weight_(i) * precision_(bin_of(order * made_(i)));
+      mean += weight(i) * weight(i) * precision_(bin_of(order * made_(i)));
     return mean > 0.0 ? (cosine * cosine + sine * sine) / mean : 0.0;
   }
   bool tells() const { return whitened_.size() > 0; }
@@ -71,7 +92,7 @@ class MatchedLines {
                     precision_.size() - 1);
   }
 
-  VectorXd turns_, made_, weight_, precision_, whitened_;
+  VectorXd turns_, made_, from_reversal_, weight_, precision_, whitened_;
 };
 
 /// Each log's energies at the orders from `lowest` on, over what noise has by their median: what is
@@ -177,7 +198,8 @@ LineFit fit_line(const ShaftLog& log, int order, int blocks) {
   const Index n = log.turns.size() / 2 * 2;
   Eigen::ArrayXd made = Eigen::ArrayXd::Zero(n);
   made.tail(n - 1) = (log.turns.segment(1, n - 1) - log.turns.head(n - 1)).array().abs();
-  const Eigen::ArrayXd weight = log.counts.head(n);
+  const Eigen::ArrayXd weight =
+      log.counts.head(n).array() * tells_order(turns_from_reversal(log, n), order);
   const LineSums all(log, order, blocks, weight);
   const LineSums slow(log, order, blocks, (order * made < log.fastest).select(weight, 0.0));
   const Eigen::Vector2d size = slow.fit();
