@@ -296,22 +296,22 @@ bool SlotSearch::are_named(const Slots& slots) const {
                      [&](int e) { return model_.hypothesis_of(e).named; });
 }
 
-/// Of the names that the data do not tell apart, a value of the model's own: it adds nothing to the
-/// model. A rotor before a body's mass, which it would make impossible where it is none.
+/// The likeliest name. Of a body's mass and a value of the model's own that the data do not tell
+/// apart the value, most often a rotor: a mass would make the body impossible where it is none.
 std::optional<Rival> SlotSearch::name_of(const std::vector<Rival>& set) const {
-  const auto& list = all_.list;
-  const auto rank = [&](const Rival& r) {
-    const Hypothesis& h = list[static_cast<std::size_t>(r.hypothesis)];
-    return h.candidate >= 0 ? 2 : h.source->of_body ? 1 : 0;
+  const auto hypothesis = [&](const Rival& r) -> const Hypothesis& {
+    return all_.list[static_cast<std::size_t>(r.hypothesis)];
   };
-  std::optional<Rival> name;
-  double least = 0.0;
-  for (const Rival& r : set) {
-    if (!list[static_cast<std::size_t>(r.hypothesis)].named) continue;
-    if (!name) least = r.log_odds + std::log(1.0 - kCredible);
-    if (!name || (r.log_odds >= least && rank(r) < rank(*name))) name = r;
-  }
-  return name;
+  const auto name =
+      std::find_if(set.begin(), set.end(), [&](const Rival& r) { return hypothesis(r).named; });
+  if (name == set.end()) return std::nullopt;
+  if (!hypothesis(*name).source->of_body) return *name;
+  const double least = name->log_odds + std::log(1.0 - kCredible);
+  const auto value = std::find_if(name, set.end(), [&](const Rival& r) {
+    const Hypothesis& h = hypothesis(r);
+    return h.named && h.candidate < 0 && !h.source->of_body && r.log_odds >= least;
+  });
+  return value == set.end() ? *name : *value;
 }
 
 Slots SlotSearch::with_names(Slots slots) const {
