@@ -99,9 +99,10 @@ std::vector<NamedCause> lines_beside(const DrivenSubject& subject, const Verdict
     NamedCause cause;
     cause.cross_validated = gain_of_line(training, settings);
     cause.held_out = cause.confirmed = gain_of_line(held_out, settings);
-    const bool is_told = is_material(training, settings) && cause.cross_validated.low > 0.0 &&
-                         (held_out.fits.empty() || cause.held_out.low > 0.0);
-    if (!is_told) continue;
+    // Held-out logs say more than blocks of one log, in which speeds differ by which samples
+    // average the line.
+    const Gain& elsewhere = held_out.fits.empty() ? cause.cross_validated : cause.held_out;
+    if (!is_material(training, settings) || !(elsewhere.low > 0.0)) continue;
     cause.candidate = kNoTerm;
     cause.log_odds = -std::log(std::max(each.line.chance, 1e-300));
     RankedCause member;

@@ -110,6 +110,7 @@ Term deviation_term(const Design& design, const Model& model, const FixedPart& n
   c->limit_meaning = deviation.limit_meaning;
   c->isolating_experiment = deviation.isolating_experiment;
   c->of_body = deviation.of_body;
+  c->of_sensor = deviation.of_sensor;
   for (const DeviationParameter& p : deviation.parameters)
     c->linear.push_back({p.name, p.unit, p.low, p.high, false, {}, p.spread});
   std::vector<VectorXd> nonlinear(problem.baseline.size());

@@ -296,22 +296,26 @@ bool SlotSearch::are_named(const Slots& slots) const {
                      [&](int e) { return model_.hypothesis_of(e).named; });
 }
 
-/// The likeliest name. Of a body's mass and a value of the model's own that the data do not tell
-/// apart the value, most often a rotor: a mass would make the body impossible where it is none.
+/// Of the names that the data do not tell apart, a value of the machine that the model has: it adds
+/// nothing to the model. A rotor before a body's mass, which it would make impossible where it is
+/// none. How a sensor reads is told where that is likeliest, and only there.
 std::optional<Rival> SlotSearch::name_of(const std::vector<Rival>& set) const {
   const auto hypothesis = [&](const Rival& r) -> const Hypothesis& {
     return all_.list[static_cast<std::size_t>(r.hypothesis)];
   };
-  const auto name =
-      std::find_if(set.begin(), set.end(), [&](const Rival& r) { return hypothesis(r).named; });
-  if (name == set.end()) return std::nullopt;
-  if (!hypothesis(*name).source->of_body) return *name;
-  const double least = name->log_odds + std::log(1.0 - kCredible);
-  const auto value = std::find_if(name, set.end(), [&](const Rival& r) {
+  const auto rank = [&](const Rival& r) {
     const Hypothesis& h = hypothesis(r);
-    return h.named && h.candidate < 0 && !h.source->of_body && r.log_odds >= least;
-  });
-  return value == set.end() ? *name : *value;
+    return h.candidate >= 0 || h.source->of_sensor ? 2 : h.source->of_body ? 1 : 0;
+  };
+  const auto likeliest =
+      std::find_if(set.begin(), set.end(), [&](const Rival& r) { return hypothesis(r).named; });
+  if (likeliest == set.end()) return std::nullopt;
+  if (hypothesis(*likeliest).source->of_sensor) return *likeliest;
+  const double least = likeliest->log_odds + std::log(1.0 - kCredible);
+  Rival name = *likeliest;
+  for (auto r = likeliest; r != set.end() && r->log_odds >= least; ++r)
+    if (hypothesis(*r).named && rank(*r) < rank(name)) name = *r;
+  return name;
 }
 
 Slots SlotSearch::with_names(Slots slots) const {

@@ -109,6 +109,7 @@ struct Candidate {
   bool unlikely = false;        ///< named only where no other cause explains as much
   bool of_all_places = false;   ///< one law, with one coefficient, at all places of one make
   bool of_body = false;         ///< parameters of a body
+  bool of_sensor = false;       ///< how a sensor reads the machine, and no value of it
   bool has_model_form = false;  ///< its columns are the mechanism's own, unlike a friction law's
   bool is_value = false;        ///< no law's form, though its columns are made of what is measured
   bool sized_twice = false;  ///< its one coefficient and its first nonlinear parameter are one size
@@ -159,6 +160,7 @@ struct ParameterDeviation {
   bool unlikely = false;                   ///< as a candidate's
   std::optional<double> body_within = {};  ///< as a candidate's, of mass and first moments
   bool of_body = false;                    ///< as a candidate's
+  bool of_sensor = false;                  ///< as a candidate's
 };
 
 /// Everything one diagnosis works on. The baseline's coefficients are re-fitted with every cause.

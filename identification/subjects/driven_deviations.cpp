@@ -71,6 +71,7 @@ void DrivenSubject::add_delay_deviation(const Candidate& delay, CandidateOrigin 
   parameter.low = delay.nonlinear.front().low;
   parameter.high = delay.nonlinear.front().high;
   deviation.parameters = {std::move(parameter)};
+  deviation.of_sensor = true;
   problem_.deviations.push_back(std::move(deviation));
   deviations_.push_back(std::move(origin));
 }
@@ -113,6 +114,7 @@ void DrivenSubject::add_deviation(const Candidate& c, CandidateOrigin origin, in
   deviation.unlikely = c.unlikely;
   deviation.body_within = c.body_within;
   deviation.of_body = c.of_body;
+  deviation.of_sensor = c.of_sensor;
   problem_.deviations.push_back(std::move(deviation));
   deviations_.push_back(std::move(origin));
 }

@@ -218,6 +218,7 @@ Candidate sensor_offset_candidate(const EffectPlace& place, const EffortModel& e
   c.channels = coupled;
   c.secant = kFarOffset;
   c.has_model_form = true;
+  c.of_sensor = true;
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd& size) -> MatrixXd {
     if (channel != axis && size.size() > 0 && size(0) == kFarOffset)
@@ -236,6 +237,7 @@ Candidate sensor_scale_candidate(const EffectPlace& place, const EffortModel& ef
   c.channels = coupled;
   c.secant = kFarScale;
   c.has_model_form = true;
+  c.of_sensor = true;
   c.columns = [axis = place.axis, effort](const Recording& log, int channel,
                                           const VectorXd& size) -> MatrixXd {
     if (channel != axis && size.size() > 0 && size(0) == kFarScale)
