@@ -15,11 +15,12 @@ using nlohmann::json;
 namespace {
 
 /// Antagonists in turn, each pair with its own frequency.
-std::string scenario() {
-  std::string text = R"([scenario]
-duration = { value = 10, unit = "s" }
-output_rate = { value = 1000, unit = "Hz" }
-[drive]
+std::string scenario(int rate_hz) {
+  std::string text = fmt::format(
+      "[scenario]\nduration = {{ value = 10, unit = \"s\" }}\n"
+      "output_rate = {{ value = {}, unit = \"Hz\" }}\n",
+      rate_hz);
+  text += R"([drive]
 mode = "servo"
 gain = { value = 60, unit = "N*m" }
 rate_gain = { value = 2, unit = "N*m*s/rad" }
@@ -43,14 +44,9 @@ force = { value = 0.2, unit = "N" }
   return text;
 }
 
-}  // namespace
-
-// Seen to fail: fourteen ripples of up to 22 times per motor turn were told of five motors, before
-// samples near a reversal told no order and lines had to gain in blocks that they are not fitted
-// to.
-TEST_CASE("of motors that move always alike no ripple is told that is not there", "[slow]") {
+json verdict_of(int rate_hz) {
   const Workplace place;
-  reference::write_text(place.path("alike.toml"), scenario());
+  reference::write_text(place.path("alike.toml"), scenario(rate_hz));
   const Ended run = place.sinew({"simulate", SINEW_SOURCE_DIR "/models/index", "--scenario",
                                  "alike.toml", "--out", "alike.csv"});
   INFO(run.output);
@@ -58,8 +54,23 @@ TEST_CASE("of motors that move always alike no ripple is told that is not there"
   const Ended ended = place.sinew({"diagnose", SINEW_SOURCE_DIR "/models/index", "--log",
                                    "alike.csv", "--out", "found", "--dry-run"});
   INFO(ended.output);
-  CHECK(ended.status == 0);
-  const json verdict = json::parse(place.text("found/findings.json")).at("verdict");
+  REQUIRE(ended.status <= 1);
+  return json::parse(place.text("found/findings.json")).at("verdict");
+}
+
+}  // namespace
+
+// Seen to fail: fourteen ripples of up to 22 times per motor turn were told of six motors, before
+// samples near a reversal told no order and lines had to gain in blocks that they are not fitted
+// to.
+TEST_CASE("of motors that move always alike no ripple is told that is not there", "[slow]") {
+  const json verdict = verdict_of(1000);
   CHECK(verdict.at("causes").empty());
   CHECK_FALSE(verdict.at("unexplained").at("none_of_the_known").get<bool>());
+}
+
+// Planted defect, seen to fail: where samples near a reversal tell every order
+// (order_spectrum.cpp), a ripple is told of motor 3.
+TEST_CASE("nor where what is left of a reversal is plain in every block of the log", "[slow]") {
+  CHECK(verdict_of(3000).at("causes").empty());
 }

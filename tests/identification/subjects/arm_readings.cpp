@@ -129,8 +129,8 @@ TEST_CASE("a factor or a sign of one effort is told with its column", "[slow]") 
 }
 
 TEST_CASE("an arm that lacks friction, a load or a mass has no factor of its own", "[slow]") {
-  // Planted defect, seen to fail: with masses known within 1e-4 (kMassOrFriction) the hand of twice the mass
-  // is told as a unit.
+  // Planted defect, seen to fail: with masses known within 1e-4 (kMassOrFriction) the hand of twice
+  // the mass is told as a unit.
   const Mechanism nominal = arm_of_five();
   Mechanism loaded = nominal;
   loaded.bodies.back().mass *= 2.0;
