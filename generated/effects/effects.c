@@ -233,29 +233,33 @@ void effects_cable_torque_cubic(const double signals[SINEW_AT_LEAST(11)],
 }
 
 void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)],
-    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
+    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)])
 {
-    const double t1 = memory[1] + signals[2] * signals[7] / shape[0];
-    const double t2 = sinew_min(sinew_max(memory[0] + signals[7] * t1, 0.0), 1.0);
+    const double t1 = memory[2] + signals[2] * signals[7] / shape[0];
+    const double t2 = sinew_min(sinew_max(1.0 - memory[0] + memory[1] + signals[7] * t1, 0.0), 1.0);
     const double t3 = -(shape[1] * t1);
     const double t4 = sinew_choose(-t2, t3, sinew_choose(-(1.0 - t2), t3, t1));
-    columns[0] = -(shape[0] * (memory[1] - t4) / signals[7]);
-    next[0] = t2;
-    next[1] = t4;
+    columns[0] = -(shape[0] * (memory[2] - t4) / signals[7]);
+    next[0] = 1.0;
+    next[1] = t2;
+    next[2] = t4;
 }
 
 void effects_loaded_backlash(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(3)], const double memory[SINEW_AT_LEAST(2)],
-    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
+    const double shape[SINEW_AT_LEAST(3)], const double memory[SINEW_AT_LEAST(3)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)])
 {
-    const double t1 = memory[1] + signals[7] * (signals[2] + signals[4] * shape[1]) / shape[0];
-    const double t2 = sinew_min(sinew_max(memory[0] + signals[7] * t1, 0.0), 1.0);
-    const double t3 = -(shape[2] * t1);
-    const double t4 = sinew_choose(-t2, t3, sinew_choose(-(1.0 - t2), t3, t1));
-    columns[0] = -(shape[0] * (memory[1] - t4) / signals[7]);
-    next[0] = t2;
+    const double t1 = signals[4] * shape[1];
+    const double t2 = memory[2] + signals[7] * (signals[2] + t1) / shape[0];
+    const double t3 = memory[1] + signals[7] * t2 + (1.0 - memory[0]) * sinew_choose(t1, 1.0, 0.0);
+    const double t4 = sinew_min(sinew_max(t3, 0.0), 1.0);
+    const double t5 = -(shape[2] * t2);
+    const double t6 = sinew_choose(-t4, t5, sinew_choose(-(1.0 - t4), t5, t2));
+    columns[0] = -(shape[0] * (memory[2] - t6) / signals[7]);
+    next[0] = 1.0;
     next[1] = t4;
+    next[2] = t6;
 }
 
 void effects_link_elasticity(const double signals[SINEW_AT_LEAST(11)],
@@ -265,34 +269,41 @@ void effects_link_elasticity(const double signals[SINEW_AT_LEAST(11)],
 }
 
 void effects_link_resonance(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)],
-    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)])
+    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(4)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(4)])
 {
-    const double t1 = signals[7] * memory[2];
-    const double t2 = 4.0 * memory[1] + t1;
+    const double t1 = 1.0 - memory[0];
+    const double t2 = signals[2] - signals[8];
     const double t3 = shape[0] * shape[0];
-    const double t4 = 4.0 * (signals[8] + shape[0] * shape[1] * (memory[1] + memory[1] + t1)) + (4.0
-        * memory[0] + signals[7] * t2) * t3;
-    const double t5 = signals[7] * signals[7];
-    const double t6 = 1.0 / (4.0 + 4.0 * signals[7] * shape[0] * shape[1] + t5 * t3);
-    const double t7 = 0.5 * signals[7];
-    columns[0] = -(signals[9] * t4 * t6);
-    next[0] = memory[0] + 0.25 * signals[7] * t2 - 0.25 * t4 * t5 * t6;
-    next[1] = memory[1] + t7 * memory[2] - t7 * t4 * t6;
-    next[2] = -(t4 * t6);
+    const double t4 = 1.0 / t3;
+    const double t5 = signals[7] * memory[3];
+    const double t6 = 4.0 * memory[2] + t5;
+    const double t7 = 4.0 * (signals[8] + shape[0] * shape[1] * (memory[2] + memory[2] + t5)) + (4.0
+        * memory[1] + signals[7] * t6 + 4.0 * t1 * t2 * t4) * t3;
+    const double t8 = signals[7] * signals[7];
+    const double t9 = 1.0 / (4.0 + 4.0 * signals[7] * shape[0] * shape[1] + t8 * t3);
+    const double t10 = 0.5 * signals[7];
+    columns[0] = -(signals[9] * t7 * t9);
+    next[0] = 1.0;
+    next[1] = memory[1] + 0.25 * signals[7] * t6 + t1 * t2 * t4 - 0.25 * t7 * t8 * t9;
+    next[2] = memory[2] + t10 * memory[3] - t10 * t7 * t9;
+    next[3] = -(t7 * t9);
 }
 
 void effects_link_backlash(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)],
-    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)])
+    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)])
 {
-    const double t1 = memory[1] + signals[7] * signals[8] / shape[0];
-    const double t2 = sinew_min(sinew_max(memory[0] + signals[7] * t1, 0.0), 1.0);
-    const double t3 = -(shape[1] * t1);
-    const double t4 = sinew_choose(-t2, t3, sinew_choose(-(1.0 - t2), t3, t1));
-    columns[0] = -(signals[9] * shape[0] * (memory[1] - t4) / signals[7]);
-    next[0] = t2;
-    next[1] = t4;
+    const double t1 = memory[2] + signals[7] * signals[8] / shape[0];
+    const double t2 = memory[1] + signals[7] * t1 + (1.0 - memory[0]) * sinew_choose(-(signals[2]
+        - signals[8]), 1.0, 0.0);
+    const double t3 = sinew_min(sinew_max(t2, 0.0), 1.0);
+    const double t4 = -(shape[1] * t1);
+    const double t5 = sinew_choose(-t3, t4, sinew_choose(-(1.0 - t3), t4, t1));
+    columns[0] = -(signals[9] * shape[0] * (memory[2] - t5) / signals[7]);
+    next[0] = 1.0;
+    next[1] = t3;
+    next[2] = t5;
 }
 
 void effects_guiding_friction(const double signals[SINEW_AT_LEAST(11)],

@@ -178,7 +178,7 @@ void effects_gear_elasticity(const double signals[SINEW_AT_LEAST(11)],
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         2 [SI] natural_frequency, damping_ratio; made for 10..400, 0.01..0.4
- *   in  memory        3 [1] before this sample; made for -1..1
+ *   in  memory        3 [1] before this sample; 0 before the first; made for -1..1
  *   out columns       1 [SI] inertia_behind_spring
  *   out next          3 [1] states for the next sample
  * 24 multiplications, 12 additions, 1 divisions. */
@@ -230,26 +230,26 @@ void effects_cable_torque_cubic(const double signals[SINEW_AT_LEAST(11)],
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         2 [SI] gap, restitution; made for 0.0001..0.03, 0.1..0.9
- *   in  memory        2 [1] before this sample; made for -1..1
+ *   in  memory        3 [1] before this sample; 0 before the first; made for -1..1
  *   out columns       1 [SI] inertia_behind_gap
- *   out next          2 [1] states for the next sample
- * 4 multiplications, 4 additions, 2 divisions, 4 other functions. */
+ *   out next          3 [1] states for the next sample
+ * 4 multiplications, 6 additions, 2 divisions, 4 other functions. */
 void effects_inertial_backlash(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)],
-    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)]);
+    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)]);
 
 /* Terms of the effect 'backlash', to be multiplied by its coefficients.
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         3 [SI] gap, mobility, restitution; made for 0.0001..0.03, 1.1..5, 0.1..0.9
- *   in  memory        2 [1] before this sample; made for -1..1
+ *   in  memory        3 [1] before this sample; 0 before the first; made for -1..1
  *   out columns       1 [SI] inertia_behind_gap
- *   out next          2 [1] states for the next sample
- * 5 multiplications, 5 additions, 2 divisions, 4 other functions. */
+ *   out next          3 [1] states for the next sample
+ * 6 multiplications, 7 additions, 2 divisions, 5 other functions. */
 void effects_loaded_backlash(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(3)], const double memory[SINEW_AT_LEAST(2)],
-    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)]);
+    const double shape[SINEW_AT_LEAST(3)], const double memory[SINEW_AT_LEAST(3)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)]);
 
 /* Terms of the effect 'gear elasticity', to be multiplied by its coefficients.
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
@@ -265,26 +265,26 @@ void effects_link_elasticity(const double signals[SINEW_AT_LEAST(11)],
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         2 [SI] natural_frequency, damping_ratio; made for 10..400, 0.01..0.4
- *   in  memory        3 [1] before this sample; made for -1..1
+ *   in  memory        4 [1] before this sample; 0 before the first; made for -1..1
  *   out columns       1 [SI] share_behind_spring
- *   out next          3 [1] states for the next sample
- * 26 multiplications, 12 additions, 1 divisions. */
+ *   out next          4 [1] states for the next sample
+ * 31 multiplications, 16 additions, 2 divisions. */
 void effects_link_resonance(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)],
-    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)]);
+    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(4)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(4)]);
 
 /* Terms of the effect 'backlash', to be multiplied by its coefficients.
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         2 [SI] gap, restitution; made for 0.0001..0.03, 0.1..0.9
- *   in  memory        2 [1] before this sample; made for -1..1
+ *   in  memory        3 [1] before this sample; 0 before the first; made for -1..1
  *   out columns       1 [SI] share_behind_gap
- *   out next          2 [1] states for the next sample
- * 5 multiplications, 4 additions, 2 divisions, 4 other functions. */
+ *   out next          3 [1] states for the next sample
+ * 6 multiplications, 7 additions, 2 divisions, 5 other functions. */
 void effects_link_backlash(const double signals[SINEW_AT_LEAST(11)],
-    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(2)],
-    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(2)]);
+    const double shape[SINEW_AT_LEAST(2)], const double memory[SINEW_AT_LEAST(3)],
+    double columns[SINEW_AT_LEAST(1)], double next[SINEW_AT_LEAST(3)]);
 
 /* Terms of the effect 'guiding friction', to be multiplied by its coefficients.
  *   in  signals      11 [SI] position, velocity, acceleration, its second derivative, load, time,
@@ -311,7 +311,7 @@ void effects_motor_side_guiding(const double signals[SINEW_AT_LEAST(11)],
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         2 [SI] bending_elsewhere, presliding_length; made for 0.003..30, 3e-06..0.001
- *   in  memory        1 [1] before this sample; made for -1..1
+ *   in  memory        1 [1] before this sample; 0 before the first; made for -1..1
  *   out columns       1 [SI] friction_coefficient
  *   out next          1 [1] states for the next sample
  * 5 multiplications, 5 additions, 1 divisions, 3 other functions. */
@@ -334,7 +334,7 @@ void effects_guide_drag(const double signals[SINEW_AT_LEAST(11)],
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         2 [SI] bending_elsewhere, presliding_length; made for 0.003..30, 3e-06..0.001
- *   in  memory        1 [1] before this sample; made for -1..1
+ *   in  memory        1 [1] before this sample; 0 before the first; made for -1..1
  *   out columns       1 [SI] friction_force
  *   out next          1 [1] states for the next sample
  * 4 multiplications, 5 additions, 1 divisions, 3 other functions. */
@@ -383,7 +383,7 @@ void effects_routing_offset(const double signals[SINEW_AT_LEAST(11)],
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         1 [SI] presliding_length; made for 1e-08..0.01
- *   in  memory        1 [1] before this sample; made for -1..1
+ *   in  memory        1 [1] before this sample; 0 before the first; made for -1..1
  *   out columns       1 [SI] level
  *   out next          1 [1] states for the next sample
  * 3 multiplications, 4 additions, 1 divisions, 3 other functions. */
@@ -406,7 +406,7 @@ void effects_soft_reversal(const double signals[SINEW_AT_LEAST(11)],
  *     direction, step, parting, carried inertia, carried jounce; made for -3..3, -5..5, -50..50,
  *     -1e+04..1e+04, -10..10, 0..100, -1..1, 0.0001..0.01, ...
  *   in  shape         1 [SI] bristle_length; made for 1e-07..0.003
- *   in  memory        1 [1] before this sample; made for -1..1
+ *   in  memory        1 [1] before this sample; 0 before the first; made for -1..1
  *   out columns       1 [SI] level
  *   out next          1 [1] states for the next sample
  * 4 multiplications, 5 additions, 1 divisions, 5 other functions. */

@@ -416,16 +416,16 @@ static const double inertial_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0,
     0.01, 50.0, 10.0, 10000.0};
 static const double inertial_backlash_shape_low[] = {1e-04, 0.1};
 static const double inertial_backlash_shape_high[] = {0.03, 0.9};
-static const double inertial_backlash_memory_low[] = {-1.0, -1.0};
-static const double inertial_backlash_memory_high[] = {1.0, 1.0};
+static const double inertial_backlash_memory_low[] = {-1.0, -1.0, -1.0};
+static const double inertial_backlash_memory_high[] = {1.0, 1.0, 1.0};
 static const sinew_argument inertial_backlash_inputs[] = {
     {"signals", "SI", 11, 1, inertial_backlash_signals_low, inertial_backlash_signals_high},
     {"shape", "SI", 2, 1, inertial_backlash_shape_low, inertial_backlash_shape_high},
-    {"memory", "1", 2, 1, inertial_backlash_memory_low, inertial_backlash_memory_high},
+    {"memory", "1", 3, 1, inertial_backlash_memory_low, inertial_backlash_memory_high},
 };
 static const sinew_argument inertial_backlash_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
-    {"next", "1", 2, 1, 0, 0},
+    {"next", "1", 3, 1, 0, 0},
 };
 
 static void call_loaded_backlash(const void *in, void *out)
@@ -440,16 +440,16 @@ static const double loaded_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 1
     0.01, 50.0, 10.0, 10000.0};
 static const double loaded_backlash_shape_low[] = {1e-04, 1.1, 0.1};
 static const double loaded_backlash_shape_high[] = {0.03, 5.0, 0.9};
-static const double loaded_backlash_memory_low[] = {-1.0, -1.0};
-static const double loaded_backlash_memory_high[] = {1.0, 1.0};
+static const double loaded_backlash_memory_low[] = {-1.0, -1.0, -1.0};
+static const double loaded_backlash_memory_high[] = {1.0, 1.0, 1.0};
 static const sinew_argument loaded_backlash_inputs[] = {
     {"signals", "SI", 11, 1, loaded_backlash_signals_low, loaded_backlash_signals_high},
     {"shape", "SI", 3, 1, loaded_backlash_shape_low, loaded_backlash_shape_high},
-    {"memory", "1", 2, 1, loaded_backlash_memory_low, loaded_backlash_memory_high},
+    {"memory", "1", 3, 1, loaded_backlash_memory_low, loaded_backlash_memory_high},
 };
 static const sinew_argument loaded_backlash_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
-    {"next", "1", 2, 1, 0, 0},
+    {"next", "1", 3, 1, 0, 0},
 };
 
 static void call_link_elasticity(const void *in, void *out)
@@ -481,16 +481,16 @@ static const double link_resonance_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10
     0.01, 50.0, 10.0, 10000.0};
 static const double link_resonance_shape_low[] = {10.0, 0.01};
 static const double link_resonance_shape_high[] = {400.0, 0.4};
-static const double link_resonance_memory_low[] = {-1.0, -1.0, -1.0};
-static const double link_resonance_memory_high[] = {1.0, 1.0, 1.0};
+static const double link_resonance_memory_low[] = {-1.0, -1.0, -1.0, -1.0};
+static const double link_resonance_memory_high[] = {1.0, 1.0, 1.0, 1.0};
 static const sinew_argument link_resonance_inputs[] = {
     {"signals", "SI", 11, 1, link_resonance_signals_low, link_resonance_signals_high},
     {"shape", "SI", 2, 1, link_resonance_shape_low, link_resonance_shape_high},
-    {"memory", "1", 3, 1, link_resonance_memory_low, link_resonance_memory_high},
+    {"memory", "1", 4, 1, link_resonance_memory_low, link_resonance_memory_high},
 };
 static const sinew_argument link_resonance_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
-    {"next", "1", 3, 1, 0, 0},
+    {"next", "1", 4, 1, 0, 0},
 };
 
 static void call_link_backlash(const void *in, void *out)
@@ -505,16 +505,16 @@ static const double link_backlash_signals_high[] = {3.0, 5.0, 50.0, 10000.0, 10.
     50.0, 10.0, 10000.0};
 static const double link_backlash_shape_low[] = {1e-04, 0.1};
 static const double link_backlash_shape_high[] = {0.03, 0.9};
-static const double link_backlash_memory_low[] = {-1.0, -1.0};
-static const double link_backlash_memory_high[] = {1.0, 1.0};
+static const double link_backlash_memory_low[] = {-1.0, -1.0, -1.0};
+static const double link_backlash_memory_high[] = {1.0, 1.0, 1.0};
 static const sinew_argument link_backlash_inputs[] = {
     {"signals", "SI", 11, 1, link_backlash_signals_low, link_backlash_signals_high},
     {"shape", "SI", 2, 1, link_backlash_shape_low, link_backlash_shape_high},
-    {"memory", "1", 2, 1, link_backlash_memory_low, link_backlash_memory_high},
+    {"memory", "1", 3, 1, link_backlash_memory_low, link_backlash_memory_high},
 };
 static const sinew_argument link_backlash_outputs[] = {
     {"columns", "SI", 1, 1, 0, 0},
-    {"next", "1", 2, 1, 0, 0},
+    {"next", "1", 3, 1, 0, 0},
 };
 
 static void call_guiding_friction(const void *in, void *out)
@@ -799,15 +799,15 @@ static const sinew_function functions[] = {
         call_cable_torque},
     {"effects_cable_torque_cubic", 2, 1, 13, 4, cable_torque_cubic_inputs,
         cable_torque_cubic_outputs, call_cable_torque_cubic},
-    {"effects_inertial_backlash", 3, 2, 15, 3, inertial_backlash_inputs, inertial_backlash_outputs,
+    {"effects_inertial_backlash", 3, 2, 16, 4, inertial_backlash_inputs, inertial_backlash_outputs,
         call_inertial_backlash},
-    {"effects_loaded_backlash", 3, 2, 16, 3, loaded_backlash_inputs, loaded_backlash_outputs,
+    {"effects_loaded_backlash", 3, 2, 17, 4, loaded_backlash_inputs, loaded_backlash_outputs,
         call_loaded_backlash},
     {"effects_link_elasticity", 1, 1, 11, 1, link_elasticity_inputs, link_elasticity_outputs,
         call_link_elasticity},
-    {"effects_link_resonance", 3, 2, 16, 4, link_resonance_inputs, link_resonance_outputs,
+    {"effects_link_resonance", 3, 2, 17, 5, link_resonance_inputs, link_resonance_outputs,
         call_link_resonance},
-    {"effects_link_backlash", 3, 2, 15, 3, link_backlash_inputs, link_backlash_outputs,
+    {"effects_link_backlash", 3, 2, 16, 4, link_backlash_inputs, link_backlash_outputs,
         call_link_backlash},
     {"effects_guiding_friction", 2, 1, 12, 1, guiding_friction_inputs, guiding_friction_outputs,
         call_guiding_friction},

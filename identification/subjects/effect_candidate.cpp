@@ -113,11 +113,9 @@ LogScale scale_of(const std::vector<Recording>& logs, int axis) {
 }
 
 Regressor::Regressor(const Effect& effect)
-    : function(&emitted(effect.id)), columns(static_cast<Index>(effect.columns.size())) {
-  initial_state.resize(static_cast<Index>(effect.states.size()));
-  for (Index k = 0; k < initial_state.size(); ++k)
-    initial_state(k) = effect.states[static_cast<std::size_t>(k)].initial;
-}
+    : function(&emitted(effect.id)),
+      columns(static_cast<Index>(effect.columns.size())),
+      states(static_cast<Index>(effect.states.size())) {}
 
 MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int axis,
                         const VectorXd& shape) {
@@ -127,9 +125,8 @@ MatrixXd effect_columns(const Regressor& regressor, const Recording& log, int ax
   std::vector<double> in(static_cast<std::size_t>(function.input_size));
   std::vector<double> out(static_cast<std::size_t>(function.output_size));
   std::copy(shape.begin(), shape.end(), in.begin() + static_cast<std::ptrdiff_t>(signals));
-  const Index states = regressor.initial_state.size();
+  const Index states = regressor.states;
   double* const state = in.data() + in.size() - states;
-  std::copy(regressor.initial_state.begin(), regressor.initial_state.end(), state);
   MatrixXd columns(log.q.rows(), count);
   for (Index k = 0; k < columns.rows(); ++k) {
     x.read(k, in.data());

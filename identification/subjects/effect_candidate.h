@@ -36,7 +36,7 @@ struct Regressor {
   explicit Regressor(const Effect& effect);
   const sinew_function* function = nullptr;
   Eigen::Index columns = 0;
-  Eigen::VectorXd initial_state;
+  Eigen::Index states = 0;  ///< zero before the first sample
 };
 
 /// samples x columns at the given shape parameters. The recording needs q, qd, qdd, time, and the

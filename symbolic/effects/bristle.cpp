@@ -11,7 +11,7 @@ GiNaC::ex add_bristle(const GiNaC::ex& length, Effect& effect) {
   const GiNaC::ex travel = s.velocity * s.step / length;
   const GiNaC::ex left = GiNaC::exp(-magnitude(travel));
   const GiNaC::ex now = choose(travel, 1 - (1 - z) * left, (1 + z) * left - 1);
-  effect.states = {{z, 0.0, now}};
+  effect.states = {{z, now}};
   return now;
 }
 

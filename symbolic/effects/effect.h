@@ -82,10 +82,9 @@ ValueLimits limits_of(const EffectColumn& column);
 /// "{effort}/{velocity}" as "N*m*s/rad" or "N*s/m".
 std::string unit_at(const std::string& pattern, bool revolute);
 
-/// An internal state, updated once a sample.
+/// An internal state, updated once a sample; zero at a log's first one.
 struct EffectState {
   GiNaC::symbol symbol;
-  double initial = 0.0;
   GiNaC::ex next;
 };
 

@@ -30,7 +30,7 @@ Argument state_argument(const Effect& effect) {
   argument.name = "memory";  // "state" is a batch loop's index
   argument.rows = static_cast<int>(effect.states.size());
   argument.unit = "1";
-  argument.doc = "before this sample";
+  argument.doc = "before this sample; 0 before the first";
   for (const EffectState& state : effect.states) {
     argument.symbols.push_back(state.symbol);
     argument.ranges.push_back({-1.0, 1.0});

@@ -314,15 +314,16 @@ void effects_inertial_backlash_batch(int count, const double *SINEW_RESTRICT sig
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = memory[1 * n + state] + signals[2 * n + state] * signals[7 * n + state]
+        const double t1 = memory[2 * n + state] + signals[2 * n + state] * signals[7 * n + state]
             / shape[state];
-        const double t2 = sinew_min(sinew_max(memory[state] + signals[7 * n + state] * t1, 0.0),
-            1.0);
-        const double t3 = -(shape[1 * n + state] * t1);
-        const double t4 = sinew_choose(-t2, t3, sinew_choose(-(1.0 - t2), t3, t1));
-        columns[state] = -(shape[state] * (memory[1 * n + state] - t4) / signals[7 * n + state]);
-        next[state] = t2;
-        next[1 * n + state] = t4;
+        const double t2 = 1.0 - memory[state] + memory[1 * n + state] + signals[7 * n + state] * t1;
+        const double t3 = sinew_min(sinew_max(t2, 0.0), 1.0);
+        const double t4 = -(shape[1 * n + state] * t1);
+        const double t5 = sinew_choose(-t3, t4, sinew_choose(-(1.0 - t3), t4, t1));
+        columns[state] = -(shape[state] * (memory[2 * n + state] - t5) / signals[7 * n + state]);
+        next[state] = 1.0;
+        next[1 * n + state] = t3;
+        next[2 * n + state] = t5;
     }
 }
 
@@ -333,16 +334,18 @@ void effects_loaded_backlash_batch(int count, const double *SINEW_RESTRICT signa
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[7 * n + state] * (signals[2 * n + state] + signals[4 * n + state]
-            * shape[1 * n + state]);
-        const double t2 = memory[1 * n + state] + t1 / shape[state];
-        const double t3 = sinew_min(sinew_max(memory[state] + signals[7 * n + state] * t2, 0.0),
-            1.0);
-        const double t4 = -(shape[2 * n + state] * t2);
-        const double t5 = sinew_choose(-t3, t4, sinew_choose(-(1.0 - t3), t4, t2));
-        columns[state] = -(shape[state] * (memory[1 * n + state] - t5) / signals[7 * n + state]);
-        next[state] = t3;
-        next[1 * n + state] = t5;
+        const double t1 = signals[4 * n + state] * shape[1 * n + state];
+        const double t2 = memory[2 * n + state] + signals[7 * n + state] * (signals[2 * n + state]
+            + t1) / shape[state];
+        const double t3 = memory[1 * n + state] + signals[7 * n + state] * t2 + (1.0
+            - memory[state]) * sinew_choose(t1, 1.0, 0.0);
+        const double t4 = sinew_min(sinew_max(t3, 0.0), 1.0);
+        const double t5 = -(shape[2 * n + state] * t2);
+        const double t6 = sinew_choose(-t4, t5, sinew_choose(-(1.0 - t4), t5, t2));
+        columns[state] = -(shape[state] * (memory[2 * n + state] - t6) / signals[7 * n + state]);
+        next[state] = 1.0;
+        next[1 * n + state] = t4;
+        next[2 * n + state] = t6;
     }
 }
 
@@ -363,22 +366,29 @@ void effects_link_resonance_batch(int count, const double *SINEW_RESTRICT signal
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = signals[7 * n + state] * memory[2 * n + state];
-        const double t2 = 4.0 * memory[1 * n + state] + t1;
+        const double t1 = 1.0 - memory[state];
+        const double t2 = signals[2 * n + state] - signals[8 * n + state];
         const double t3 = shape[state] * shape[state];
-        const double t4 = shape[state] * shape[1 * n + state] * (memory[1 * n + state] + memory[1
-            * n + state] + t1);
-        const double t5 = 4.0 * (signals[8 * n + state] + t4) + (4.0 * memory[state] + signals[7 * n
-            + state] * t2) * t3;
-        const double t6 = signals[7 * n + state] * signals[7 * n + state];
-        const double t7 = 4.0 + 4.0 * signals[7 * n + state] * shape[state] * shape[1 * n + state]
-            + t6 * t3;
-        const double t8 = 1.0 / t7;
-        const double t9 = 0.5 * signals[7 * n + state];
-        columns[state] = -(signals[9 * n + state] * t5 * t8);
-        next[state] = memory[state] + 0.25 * signals[7 * n + state] * t2 - 0.25 * t5 * t6 * t8;
-        next[1 * n + state] = memory[1 * n + state] + t9 * memory[2 * n + state] - t9 * t5 * t8;
-        next[2 * n + state] = -(t5 * t8);
+        const double t4 = 1.0 / t3;
+        const double t5 = signals[7 * n + state] * memory[3 * n + state];
+        const double t6 = 4.0 * memory[2 * n + state] + t5;
+        const double t7 = 4.0 * memory[1 * n + state] + signals[7 * n + state] * t6 + 4.0 * t1 * t2
+            * t4;
+        const double t8 = shape[state] * shape[1 * n + state] * (memory[2 * n + state] + memory[2
+            * n + state] + t5);
+        const double t9 = 4.0 * (signals[8 * n + state] + t8) + t7 * t3;
+        const double t10 = signals[7 * n + state] * signals[7 * n + state];
+        const double t11 = 4.0 + 4.0 * signals[7 * n + state] * shape[state] * shape[1 * n + state]
+            + t10 * t3;
+        const double t12 = 1.0 / t11;
+        const double t13 = memory[1 * n + state] + 0.25 * signals[7 * n + state] * t6 + t1 * t2
+            * t4;
+        const double t14 = 0.5 * signals[7 * n + state];
+        columns[state] = -(signals[9 * n + state] * t9 * t12);
+        next[state] = 1.0;
+        next[1 * n + state] = t13 - 0.25 * t9 * t10 * t12;
+        next[2 * n + state] = memory[2 * n + state] + t14 * memory[3 * n + state] - t14 * t9 * t12;
+        next[3 * n + state] = -(t9 * t12);
     }
 }
 
@@ -389,17 +399,21 @@ void effects_link_backlash_batch(int count, const double *SINEW_RESTRICT signals
     const size_t n = (size_t)count;
     SINEW_STATES_ARE_INDEPENDENT
     for (size_t state = 0; state < n; ++state) {
-        const double t1 = memory[1 * n + state] + signals[7 * n + state] * signals[8 * n + state]
+        const double t1 = memory[2 * n + state] + signals[7 * n + state] * signals[8 * n + state]
             / shape[state];
-        const double t2 = sinew_min(sinew_max(memory[state] + signals[7 * n + state] * t1, 0.0),
-            1.0);
-        const double t3 = -(shape[1 * n + state] * t1);
-        const double t4 = sinew_choose(-t2, t3, sinew_choose(-(1.0 - t2), t3, t1));
-        const double t5 = signals[9 * n + state] * shape[state] * (memory[1 * n + state] - t4)
+        const double t2 = sinew_choose(-(signals[2 * n + state] - signals[8 * n + state]), 1.0,
+            0.0);
+        const double t3 = memory[1 * n + state] + signals[7 * n + state] * t1 + (1.0
+            - memory[state]) * t2;
+        const double t4 = sinew_min(sinew_max(t3, 0.0), 1.0);
+        const double t5 = -(shape[1 * n + state] * t1);
+        const double t6 = sinew_choose(-t4, t5, sinew_choose(-(1.0 - t4), t5, t1));
+        const double t7 = signals[9 * n + state] * shape[state] * (memory[2 * n + state] - t6)
             / signals[7 * n + state];
-        columns[state] = -t5;
-        next[state] = t2;
+        columns[state] = -t7;
+        next[state] = 1.0;
         next[1 * n + state] = t4;
+        next[2 * n + state] = t6;
     }
 }
 

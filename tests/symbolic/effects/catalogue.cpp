@@ -23,7 +23,7 @@ double effort_at(const Effect& effect, double velocity, double load) {
   at[s.direction] = velocity < 0 ? -1 : 1;
   at[s.load] = load;
   for (const ShapeParameter& shape : effect.shapes) at[shape.symbol] = (shape.low + shape.high) / 2;
-  for (const EffectState& state : effect.states) at[state.symbol] = state.initial;
+  for (const EffectState& state : effect.states) at[state.symbol] = 0;
   for (const EffectColumn& column : effect.columns) at[column.symbol] = 1;
   const GiNaC::ex value = effort(effect).subs(at).evalf();
   INFO(effect.id << ": " << value);
