@@ -74,13 +74,13 @@ Motion motion_as_read(const Recording& log) {
   return {*read, log.signals.at("read_qd"), log.signals.at("read_qdd")};
 }
 
-double noise_of_jounce(const std::vector<const Recording*>& logs, Index joint, double quantum) {
+double noise_of_jounce(const std::vector<const Recording*>& logs, Index joint, double quantum,
+                       bool noisy) {
   double found = 0.0, expected = 0.0;
   for (const Recording* log : logs) {
     const VectorXd reading = log->signals.at("logged_q").col(joint);
     const double noise = std::max(white_noise_rms(reading.array()), quantum / std::sqrt(12.0));
-    const double cutoff =
-        noise_of_position({log}, joint) ? smooth_cutoff(log->step) : slow_cutoff(log->step);
+    const double cutoff = noisy ? smooth_cutoff(log->step) : slow_cutoff(log->step);
     const auto samples = static_cast<double>(reading.size());
     expected += noise * noise * jounce_of_noise(log->step, cutoff) * samples;
     found += log->signals.at("jounce").col(joint).squaredNorm();

@@ -28,8 +28,8 @@ Motion motion_as_read(const Recording& log);
 
 /// Share of the fourth derivative of a joint's position (signal "jounce") that is the position's
 /// noise: 1 where the motion itself has none. `quantum`: step of the sensor, rad or m; 0 where none
-/// is seen.
+/// is seen; `noisy`: noise_of_position().
 double noise_of_jounce(const std::vector<const Recording*>& logs, Eigen::Index joint,
-                       double quantum);
+                       double quantum, bool noisy);
 
 }  // namespace sinew::diagnosis

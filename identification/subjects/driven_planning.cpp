@@ -42,6 +42,8 @@ Recording DrivenSubject::planned(const PlannedMotion& motion) const {
   r.band_hz = problem_.training.front().band_hz;
   if (motion.load.size() > 0) r.load = motion.load;
   add_motion(motion.position, r);
+  add_derivatives(r);
+  add_sensor_errors(r);
   if (!problem_.training.front().standstills.empty()) add_standstills(r);
   add_model(r);
   set_directions(r);

@@ -48,8 +48,7 @@ void DrivenSubject::add_derivatives(Recording& log) const {
   MatrixXd& seen = log.signals["acceleration"] = log.qdd;
   log.signals["jerk"] = log.signals["jounce"] = MatrixXd::Zero(seen.rows(), seen.cols());
   std::vector<Index> clean, noisy;
-  for (Index c = 0; c < seen.cols(); ++c)
-    (noise_of_position({&log}, c) ? noisy : clean).push_back(c);
+  for (Index c = 0; c < seen.cols(); ++c) (hides_acceleration(c) ? noisy : clean).push_back(c);
   if (!clean.empty()) add(slow_cutoff(log.step), clean);
   if (noisy.empty()) return;
   add(smooth_cutoff(log.step), noisy);
@@ -57,11 +56,26 @@ void DrivenSubject::add_derivatives(Recording& log) const {
       differentiate(log.q(Eigen::all, noisy), log.step, smooth_cutoff(log.step)).qdd;
 }
 
+bool DrivenSubject::hides_acceleration(Index joint) const {
+  return position_error_[static_cast<std::size_t>(joint)].hides_acceleration;
+}
+
+/// Of a sensor by all training logs: a held-out log whose motion is treated otherwise refutes what
+/// they tell.
 void DrivenSubject::learn_position_errors() {
+  position_error_.clear();
+  for (std::size_t j = 0; j < bristle_.size(); ++j)
+    position_error_.push_back(
+        {noise_of_position(training(), static_cast<Index>(j)), coarse_sensor(j), 0.0});
+  for (auto* logs : {&problem_.training, &problem_.holdout})
+    for (Recording& log : *logs) {
+      add_derivatives(log);
+      add_sensor_errors(log);
+    }
   for (std::size_t j = 0; j < bristle_.size(); ++j) {
-    const auto c = static_cast<Index>(j);
-    position_error_.push_back({noise_of_position(training(), c), coarse_sensor(j),
-                               noise_of_jounce(training(), c, quantum_[j])});
+    PositionError& error = position_error_[j];
+    error.share_of_jounce =
+        noise_of_jounce(training(), static_cast<Index>(j), quantum_[j], error.hides_acceleration);
   }
 }
 
@@ -119,7 +133,7 @@ void DrivenSubject::add_sensor_errors(Recording& log) const {
     side.col(c) = side_of_play(reading.col(c), log.qd.col(c), step,
                                2e-3 * log.qd.col(c).cwiseAbs().maxCoeff());
     // More than that is motion, unless the motion is known to be smoother.
-    if (!noise_of_position({&log}, c))
+    if (!hides_acceleration(c))
       steps.col(c) = (steps.col(c).array().abs() < 0.55 * step).select(steps.col(c), 0.0);
   }
   const auto add = [&](const std::string& name, const MatrixXd& error) {

@@ -174,8 +174,6 @@ void DrivenSubject::add_motion(const MatrixXd& positions, Recording& log) const 
   log.signals["read_qdd"] = log.qdd = read.qdd;
   add_smooth_motion(log);
   expect_motion(log);
-  add_derivatives(log);
-  add_sensor_errors(log);
 }
 
 /// The motion to be expected takes the place of what was read: what noise of a position makes of

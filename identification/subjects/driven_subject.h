@@ -154,6 +154,7 @@ class DrivenSubject {
   void learn_steps(const Log& log, int position, std::size_t joint);
   bool coarse_sensor(std::size_t joint) const;
   void learn_position_errors();
+  bool hides_acceleration(Eigen::Index joint) const;
   void thin_logs(const Settings& settings);
   bool fine_sensor(std::size_t joint) const;
   std::vector<int> coupled_joints(std::size_t joint);
