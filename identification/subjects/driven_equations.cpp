@@ -14,11 +14,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Expected of a drawing's masses and of its friction, of a tendon's arm, and of a drive that the
-// model is without: as much as the whole mechanism weighs, or in shares of what the model asks of
-// such coordinates.
+// Expected of a drawing's masses and of its friction, of a tendon's arm, and of a drive that a
+// model without links is without: in shares of what the model asks of such coordinates.
 constexpr double kMassOrFriction = 0.1, kArm = 0.05, kDrive = 10.0;
-constexpr double kGravity = 9.81;       // m/s^2
+constexpr double kFarFaster = 100.0;    // times the logged speed: there all friction has turned
+constexpr double kRounding = 1e-9;      // of what is usual: left of a difference
 constexpr std::size_t kMostLinks = 10;  // that are told apart: an arm's or a finger's, not a hand's
 constexpr Index kPerLink = RigidColumns::kBodyColumns;
 
@@ -35,7 +35,7 @@ std::vector<Unknown> unknowns_of_links(Index columns) {
 
 /// By the model, all coordinates: samples x coordinates each.
 struct DrivenEquations::Said {
-  MatrixXd rest, load, inertia, viscous, coulomb, links, all;
+  MatrixXd rest, load, inertia, viscous, coulomb, slow, links, all;
 };
 
 struct DrivenEquations::Logged {
@@ -66,11 +66,21 @@ DrivenEquations::Said DrivenEquations::said_of(const Recording& r, MatrixXd link
     said.load = loaded - said.rest;
   }
   const MatrixXd starting = effort_(r, r.q, none, r.qdd);
+  const auto by_speed = [&](double times) -> MatrixXd {
+    return effort_(r, r.q, times * r.qd, r.qdd) - starting;
+  };
   said.all = effort_(r, r.q, r.qd, r.qdd);
-  said.inertia = starting - loaded;
-  const MatrixXd speed = said.all - starting;
-  said.viscous = effort_(r, r.q, 2.0 * r.qd, r.qdd) - said.all;
-  said.coulomb = speed - said.viscous;
+  const MatrixXd onwards = said.all - starting;
+  // Of the motion reversed: friction turns round, centrifugal and Coriolis torques do not.
+  const MatrixXd centrifugal = 0.5 * (onwards + by_speed(-1.0));
+  const auto friction = [&](double times) -> MatrixXd {
+    return by_speed(times) - times * times * centrifugal;
+  };
+  const MatrixXd fast = friction(kFarFaster), faster = friction(2.0 * kFarFaster);
+  said.inertia = starting - loaded + centrifugal;
+  said.viscous = (faster - fast) / kFarFaster;
+  said.coulomb = 2.0 * fast - faster;
+  said.slow = onwards - centrifugal - said.viscous - said.coulomb;
   if (!rigid_) return said;
   // The links' part is asked for link by link.
   Recording motion;
@@ -80,14 +90,10 @@ DrivenEquations::Said DrivenEquations::said_of(const Recording& r, MatrixXd link
     motion.qdd = qdd;
     return rigid_->effort(motion);
   };
-  const MatrixXd at_rest = of_links(none, none), started = of_links(none, r.qdd),
-                 moving = of_links(r.qd, r.qdd);
+  const MatrixXd at_rest = of_links(none, none);
   const Index n = rigid_->coordinates();
   said.rest.leftCols(n) -= at_rest;
-  said.inertia.leftCols(n) -= started - at_rest;
-  // Centrifugal and Coriolis torques, which are four times as large at twice the speed.
-  said.viscous.leftCols(n) -= 3.0 * (moving - started);
-  said.coulomb.leftCols(n) += 2.0 * (moving - started);
+  said.inertia.leftCols(n) -= of_links(r.qd, r.qdd) - at_rest;
   said.links = std::move(links);
   return said;
 }
@@ -155,6 +161,7 @@ EffortParts DrivenEquations::parts_at(const Recording& r, const Said& said, Inde
   parts.drive.resize(parts.said.size(), 4);
   parts.drive << said.rest.col(c)(moving), said.inertia.col(c)(moving), said.viscous.col(c)(moving),
       said.coulomb.col(c)(moving);
+  parts.slow = said.slow.col(c)(moving);
   parts.own = own_drive(r.qd.col(c), r.qdd.col(c))(moving, Eigen::seqN(0, 3));
   if (i >= by_tendons_) return parts;
   const MatrixXd& tension = r.signals.at("tension");
@@ -184,9 +191,7 @@ double DrivenEquations::usual(const std::vector<EffortParts>& parts, std::size_t
 
 /// N m or N: what a drive may take that the model is without.
 double DrivenEquations::expected_drive(Index i, double usual) const {
-  if (!rigid_ || kind_of(i) == 2) return kDrive * usual;
-  const auto [mass, reach] = rigid_->moving_mass_and_reach();
-  return kGravity * mass * (kind_of(i) == 1 ? reach : 1.0);
+  return usual * (rigid_ && kind_of(i) != 2 ? kAnyway : kDrive);
 }
 
 EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usual, double drive,
@@ -195,19 +200,20 @@ EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usu
   for (Index k = 0; k < parts.links.cols(); ++k)
     equation.terms.push_back({static_cast<int>(k), parts.links.col(k)});
   const auto add = [&](const VectorXd& column, Unknown::Kind kind, double spread) {
-    if (!(column.squaredNorm() > 0.0)) return;
+    if (!(rms(column.array()) > kRounding * usual)) return;
     equation.terms.push_back({static_cast<int>(unknowns.size()), column});
     unknowns.push_back({kind, spread});
   };
   if (parts.load.size() > 0) add(parts.load, Unknown::Kind::fixed, kOwnConstant);
   for (Index k = 0; k < parts.drive.cols(); ++k)
     add(parts.drive.col(k), Unknown::Kind::share, k < 2 ? kAnyway : kMassOrFriction);
+  // Over which speeds friction turns is nobody's measurement.
+  add(parts.slow, Unknown::Kind::drawn, 1.0);
   for (Index k = 0; k < parts.own.cols(); ++k) {
     const double size = rms(parts.own.col(k).array());
-    // What the model has of a drive it knows.
-    const bool has = parts.drive.col(k + 1).squaredNorm() > 0.0;
-    if (size > 0.0)
-      add(parts.own.col(k) / size, Unknown::Kind::added, has ? kAnyway * usual : drive);
+    // What the model has of a drive is off by a share of that.
+    const bool has = rms(parts.drive.col(k + 1).array()) > kRounding * usual;
+    if (size > 0.0 && !has) add(parts.own.col(k) / size, Unknown::Kind::added, drive);
   }
   // Tendons pull against each other, by more than what moves the joint.
   const double pulled =

@@ -23,6 +23,7 @@ struct EffortParts {
   Eigen::MatrixXd links;    ///< of each body, see RigidColumns::body_columns()
   Eigen::VectorXd load;     ///< what the logged load makes of `said`; empty: none is logged
   Eigen::MatrixXd drive;    ///< the rest of `said`: at rest, by acceleration, viscous, Coulomb
+  Eigen::VectorXd slow;     ///< what friction is beside the last two, at low speeds
   Eigen::MatrixXd own;      ///< unit inertia, viscous and Coulomb friction of the coordinate
   Eigen::MatrixXd tendons;  ///< torque of each tendon's measured force; no columns: none
   Eigen::MatrixXd guides;   ///< the same against the tendon's motion: friction in its guides
