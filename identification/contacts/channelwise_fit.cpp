@@ -60,10 +60,12 @@ MatrixXd inverse_beside(const MatrixXd& gram, const VectorXd& whole) {
   return v * inverse.asDiagonal() * v.transpose();
 }
 
+}  // namespace
+
 /// The normal matrix' pseudo-inverse by parts.
-class ChannelwiseInverse {
+class ChannelwiseFit::Inverse {
  public:
-  ChannelwiseInverse(const MatrixXd& gram, const std::vector<int>& channel) {
+  Inverse(const MatrixXd& gram, const std::vector<int>& channel) {
     for (std::size_t c = 0; c < channel.size(); ++c) {
       const auto at = static_cast<Index>(c);
       if (channel[c] == kShared) shared_.push_back(at);
@@ -105,27 +107,31 @@ class ChannelwiseInverse {
   MatrixXd inverse_;
 };
 
-}  // namespace
-
-VectorXd channelwise_coefficients(const Stack& stack, const std::vector<int>& channel) {
-  VectorXd coefficients = VectorXd::Zero(stack.coefficients);
-  if (stack.coefficients == 0) return coefficients;
-  const ChannelwiseInverse inverse(normal_matrix(stack), channels_of_columns(stack, channel));
+ChannelwiseFit::ChannelwiseFit(const Stack& stack, const std::vector<int>& channel)
+    : inverse_(
+          std::make_unique<Inverse>(normal_matrix(stack), channels_of_columns(stack, channel))),
+      coefficients_(VectorXd::Zero(stack.coefficients)) {
+  if (stack.coefficients == 0) return;
   VectorXd residual = stack.y;
   // Twice, for refinement, as solve() does.
   for (int round = 0; round < 2; ++round) {
-    VectorXd moment = -stack.prior.cwiseProduct(coefficients);
+    VectorXd moment = -stack.prior.cwiseProduct(coefficients_);
     for (std::size_t s = 0; s < stack.a.size(); ++s)
       if (!stack.at[s].empty())
         moment(stack.at[s]) +=
             stack.a[s].transpose() * residual.segment(stack.first_row[s], stack.a[s].rows());
-    const VectorXd step = inverse * moment;
-    coefficients += step;
+    const VectorXd step = *inverse_ * moment;
+    coefficients_ += step;
     for (std::size_t s = 0; s < stack.a.size(); ++s)
       if (!stack.at[s].empty())
         residual.segment(stack.first_row[s], stack.a[s].rows()) -= stack.a[s] * step(stack.at[s]);
   }
-  return coefficients;
+}
+
+ChannelwiseFit::~ChannelwiseFit() = default;
+
+double ChannelwiseFit::variance(const VectorXd& columns) const {
+  return columns.dot(*inverse_ * columns);
 }
 
 }  // namespace sinew::diagnosis

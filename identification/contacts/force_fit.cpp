@@ -38,6 +38,8 @@ MatrixXd covariance_at(const ForceNoise& noise, const LeftOver& r, Index sample)
   covariance.diagonal() += (kOwnError * r.residual.row(sample).transpose()).cwiseAbs2();
   // Impacts in a gear are pushes without it (tests/identification/subjects/geared_joints.cpp).
   covariance.diagonal() += (kFormError * r.explained.row(sample).transpose()).cwiseAbs2();
+  // What few samples elsewhere tell of a coefficient may be anything here.
+  covariance.diagonal() += r.extrapolated.row(sample).transpose().cwiseAbs2();
   // A motion that is sampled may be a step early or late, as where it turns or is hit.
   covariance.diagonal() += r.within_step.row(sample).transpose().cwiseAbs2();
   covariance.diagonal() += noise.standing.cwiseAbs2().cwiseProduct(

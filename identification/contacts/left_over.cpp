@@ -32,8 +32,8 @@ LeftOver empty_recording(const Design& design, std::size_t segment) {
   r.recording = s.recording;
   r.held_out = s.holdout;
   r.time = design.at_instants(static_cast<int>(segment), design.recording(s.recording).time);
-  r.measured = r.residual = r.explained = r.within_step = r.counts = r.position = r.velocity =
-      MatrixXd::Zero(s.samples, channels);
+  r.measured = r.residual = r.explained = r.within_step = r.extrapolated = r.counts = r.position =
+      r.velocity = MatrixXd::Zero(s.samples, channels);
   r.rate_hz = s.rate_hz;
   r.step = design.recording(s.recording).step;
   r.band_hz = s.filter.band_hz;
@@ -108,6 +108,16 @@ void FitInTime::expect_no_more_than_measured() {
     }
 }
 
+VectorXd FitInTime::columns_at(std::size_t segment, Index sample,
+                               const std::vector<Index>& first) const {
+  VectorXd all = VectorXd::Zero(first.back());
+  for (std::size_t t = 0; t < model_.terms.size(); ++t) {
+    const MatrixXd& columns = model_.terms[t].columns[segment];
+    if (columns.cols() > 0) all.segment(first[t], columns.cols()) = columns.row(sample);
+  }
+  return all;
+}
+
 VectorXd FitInTime::measured_rms() const {
   VectorXd sum = VectorXd::Zero(recordings_.front().measured.cols());
   double count = 0.0;
@@ -133,7 +143,8 @@ std::vector<LeftOver> FitInTime::operator()(const std::vector<SetAside>& aside,
   for (const auto& [recording, channel] : place_) channels.push_back(channel);
   Stack rows = stack(model_, weights);
   rows.prior += expected_;
-  const VectorXd coefficients = channelwise_coefficients(rows, channels);
+  const ChannelwiseFit fit(rows, channels);
+  const VectorXd& coefficients = fit.coefficients();
   std::vector<const BandColumns*> columns;
   for (const Term& term : model_.terms) columns.push_back(&term.columns.get());
   VectorXd of_causes = coefficients, turning = coefficients;
@@ -151,6 +162,9 @@ std::vector<LeftOver> FitInTime::operator()(const std::vector<SetAside>& aside,
     if (said.size() > 0) rest -= said;
     LeftOver& r = result[recording];
     r.residual.col(channel) = rest;
+    for (Index k = 0; k < rest.size(); ++k)
+      if (aside[recording](k))
+        r.extrapolated(k, channel) = std::sqrt(fit.variance(columns_at(i, k, first)));
     const VectorXd explained = predict(columns, of_causes, i);
     if (explained.size() > 0) r.explained.col(channel) = explained;
     // Friction turns with the speed, inertia with the acceleration: what jumps in both may undo

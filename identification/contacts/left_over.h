@@ -21,7 +21,9 @@ struct LeftOver {
   Eigen::MatrixXd residual;     ///< the same: measured less what the model says
   Eigen::MatrixXd explained;    ///< the same: what the named causes of the model make of it
   Eigen::MatrixXd within_step;  ///< the same: how far what the model says goes in a step of the log
-  Eigen::MatrixXd counts;       ///< the same: 1, and down to 0 where a joint stands still
+  Eigen::MatrixXd
+      extrapolated;        ///< the same, where set aside: standard error of what the model says
+  Eigen::MatrixXd counts;  ///< the same: 1, and down to 0 where a joint stands still
   Eigen::MatrixXd position, velocity;  ///< of the channels' coordinates: rad or m, and per s
   double step = 0.0;                   ///< s: of the log
   double rate_hz = 0.0;                ///< of the samples
@@ -55,6 +57,9 @@ class FitInTime {
   /// No term is expected to make more than what is measured of a channel: what few samples tell of
   /// it could be anything in another log.
   void expect_no_more_than_measured();
+  /// Of all coefficients, which begin at `first` for each term.
+  Eigen::VectorXd columns_at(std::size_t segment, Eigen::Index sample,
+                             const std::vector<Eigen::Index>& first) const;
 
   std::vector<LeftOver> recordings_;                ///< nothing taken off yet
   std::vector<std::pair<std::size_t, int>> place_;  ///< of each segment: recording and channel

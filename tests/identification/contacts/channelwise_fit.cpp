@@ -52,14 +52,21 @@ TEST_CASE("a fit by channels says what the whole one does") {
   // prior left out.
   const std::vector<int> channel{0, 1, 0, 1};
   Stack s = two_channels();
-  const VectorXd whole = solve(s).coefficients, by_parts = channelwise_coefficients(s, channel);
+  const LinearFit fit = solve(s);
+  const ChannelwiseFit channelwise(s, channel);
+  const VectorXd whole = fit.coefficients, by_parts = channelwise.coefficients();
   CHECK((said(s, whole) - said(s, by_parts)).norm() < 1e-9 * s.y.norm());
   CHECK(by_parts(7) == 0.0);
+  for (const Index row : {Index{3}, kRows + 3}) {
+    const VectorXd x = s.dense().row(row).transpose();
+    CHECK(channelwise.variance(x) == Approx(x.dot(fit.covariance * x)).epsilon(1e-9));
+  }
   // What both share is in the second channel one of its own columns, and in the first one nothing.
   for (const std::size_t k : {0U, 1U, 2U, 3U}) {
     const Index shared = k % 2 == 0 ? 4 : 3;
     s.a[k].col(shared) = k % 2 == 0 ? VectorXd(VectorXd::Zero(kRows)) : VectorXd(s.a[k].col(1));
   }
-  CHECK((said(s, solve(s).coefficients) - said(s, channelwise_coefficients(s, channel))).norm() <
-        1e-9 * s.y.norm());
+  CHECK(
+      (said(s, solve(s).coefficients) - said(s, ChannelwiseFit(s, channel).coefficients())).norm() <
+      1e-9 * s.y.norm());
 }

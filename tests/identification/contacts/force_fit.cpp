@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 LeftOver left(Index samples, double residual) {
   LeftOver r;
   r.time = VectorXd::LinSpaced(samples, 0.0, 1.0);
-  r.residual = r.explained = r.within_step = MatrixXd::Zero(samples, 1);
+  r.residual = r.explained = r.within_step = r.extrapolated = MatrixXd::Zero(samples, 1);
   for (Index k = 0; k < samples; ++k) r.residual(k, 0) = k % 2 == 0 ? residual : -residual;
   r.counts = MatrixXd::Ones(samples, 1);
   return r;
@@ -42,6 +42,21 @@ TEST_CASE("an explanation that is off by more says less of what fits it as well"
   sure = left(1, 20.0), unsure = sure;
   unsure.explained(0, 0) = 100.0;
   CHECK(log_loss_at(noise, sure, 0) > log_loss_at(noise, unsure, 0));
+}
+
+// Seen red without `extrapolated` in the covariance: a friction that few samples tell was told as a
+// push wherever it had been left out.
+TEST_CASE("what a model only guesses at where nothing was fitted is no push") {
+  constexpr Index samples = 40;
+  Disturbances disturbances;
+  disturbances.left_over = {left(samples, 10.0)};
+  disturbances.list = {{0, 0, samples}};
+  ForcePlace place;
+  place.name = "joint";
+  place.effort = {MatrixXd::Constant(samples, 1, -1.0)};
+  CHECK(fit_force(disturbances, unit_noise(1.0), place).forces.front().worth > 1000.0);
+  disturbances.left_over.front().extrapolated.setConstant(10.0);
+  CHECK(fit_force(disturbances, unit_noise(1.0), place).forces.front().worth < 10.0);
 }
 
 // Seen red with the price of a number for every independent sample, as other numbers have it.
