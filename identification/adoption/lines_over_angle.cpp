@@ -99,8 +99,8 @@ std::vector<NamedCause> lines_beside(const DrivenSubject& subject, const Verdict
     NamedCause cause;
     cause.cross_validated = gain_of_line(training, settings);
     cause.held_out = cause.confirmed = gain_of_line(held_out, settings);
-    // Held-out logs say more than blocks of one log, in which speeds differ by which samples
-    // average the line.
+    // Blocks of one log differ in speed, and so in how much of the line their samples average
+    // away: held-out logs say more, where there are any.
     const Gain& elsewhere = held_out.fits.empty() ? cause.cross_validated : cause.held_out;
     if (!is_material(training, settings) || !(elsewhere.low > 0.0)) continue;
     cause.candidate = kNoTerm;

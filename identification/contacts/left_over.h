@@ -21,9 +21,9 @@ struct LeftOver {
   Eigen::MatrixXd residual;     ///< the same: measured less what the model says
   Eigen::MatrixXd explained;    ///< the same: what the named causes of the model make of it
   Eigen::MatrixXd within_step;  ///< the same: how far what the model says goes in a step of the log
-  Eigen::MatrixXd
-      extrapolated;        ///< the same, where set aside: standard error of what the model says
-  Eigen::MatrixXd counts;  ///< the same: 1, and down to 0 where a joint stands still
+  /// The same: standard error of what the model says where it is not fitted, set aside; else 0.
+  Eigen::MatrixXd extrapolated;
+  Eigen::MatrixXd counts;              ///< the same: 1, and down to 0 where a joint stands still
   Eigen::MatrixXd position, velocity;  ///< of the channels' coordinates: rad or m, and per s
   double step = 0.0;                   ///< s: of the log
   double rate_hz = 0.0;                ///< of the samples
