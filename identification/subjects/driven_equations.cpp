@@ -211,9 +211,10 @@ EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usu
   add(parts.slow, Unknown::Kind::drawn, 1.0);
   for (Index k = 0; k < parts.own.cols(); ++k) {
     const double size = rms(parts.own.col(k).array());
-    // What the model has of a drive is off by a share of that.
+    // An inertia that the model has is off by a share of itself. A friction's form is off as well.
     const bool has = rms(parts.drive.col(k + 1).array()) > kRounding * usual;
-    if (size > 0.0 && !has) add(parts.own.col(k) / size, Unknown::Kind::added, drive);
+    if (size > 0.0 && !(has && k == 0))
+      add(parts.own.col(k) / size, Unknown::Kind::added, has ? kAnyway * usual : drive);
   }
   // Tendons pull against each other, by more than what moves the joint.
   const double pulled =
