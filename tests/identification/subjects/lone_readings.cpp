@@ -181,6 +181,23 @@ TEST_CASE("friction that turns sooner than the model's is no fast clock") {
   CHECK(stops_by(Judged(late), stroke_log(sudden, 0.08)).empty());
 }
 
+TEST_CASE("a strongly concave friction beside a load is no motor's angle") {
+  // Seen red where a friction that the model has may be off by shares of itself alone: this is no
+  // sum of its viscous and its Coulomb part.
+  Mechanism light = lone_joint();
+  light.bodies[0].inertia *= 1e-3;
+  light.bodies[0].mass *= 1e-3;
+  Joint& joint = light.joints[0];
+  joint.armature = 7e-4;
+  joint.damping = 0.034;
+  joint.friction = 0.25;
+  Recording log = stroke_log(light, 0.2);
+  log.load = (0.3 + 0.3 * (1.7 * log.time.array()).sin()).matrix();
+  const Eigen::ArrayXd speed = log.qd.col(0) / log.qd.cwiseAbs().maxCoeff();
+  log.target.front() += log.load.col(0) + (4.0 * speed.sign() * speed.abs().pow(0.4)).matrix();
+  CHECK(stops_by(Judged(light), log).empty());
+}
+
 TEST_CASE("a single joint whose model is far off is no faulty log") {
   // A sixfold inertia is no turns. Planted defect: with all that a machine may have otherwise kept
   // within 1e-4 (kAnyway, kMassOrFriction) three of them are told.
