@@ -75,7 +75,7 @@ TEST_CASE("a log begins with the load carried by its spring or by a side of its 
     INFO("parting " << parting);
     const VectorXd spring = from_rest("link_resonance", Eigen::Vector2d(30.0, 0.02));
     CHECK(spring.tail(1990).cwiseAbs().maxCoeff() < 2.0);
-    // Through the gap it would be hit with 400 rad/s^2.
+    // Through the gap it would be hit with 290 rad/s^2.
     const VectorXd gap = from_rest("link_backlash", Eigen::Vector2d(2e-3, 0.6));
     CHECK(gap.tail(1990).cwiseAbs().maxCoeff() < 50.0);
   }
