@@ -18,13 +18,6 @@ namespace {
 
 using diagnosis::DiagnoseRequest;
 
-DriveLimits limits_of(const DrivenJoint& joint) {
-  DriveLimits limits;
-  limits.inertia = joint.armature;
-  limits.friction = joint.friction;
-  return limits;
-}
-
 /// What the first log has. Motors that another log lacks are left out, which is said.
 diagnosis::LoggedEfforts efforts_of_all(const Mechanism& mechanism, DiagnoseRequest& request) {
   using diagnosis::LoggedEfforts;
@@ -150,9 +143,7 @@ std::vector<HeldJoint> set_driven_model(const ModelFolder& folder, DiagnoseReque
         "this model is none of them");
   request.kind = "rotary drive";
   request.model = driven_model(*motor, part->name);
-  request.channels = [limits = limits_of(request.model.joints.front())](const std::string&) {
-    return diagnosis::drive_log_channels(true, limits);
-  };
+  request.channels = [](const std::string&) { return diagnosis::drive_log_channels(true); };
   return {};
 }
 

@@ -40,8 +40,6 @@ std::vector<ChannelSpec> drive_channels(const DriveLimits& limits, const std::st
   ChannelSpec e = spec(effort, force, ChannelRole::effort, 0, true);
   e.low = -limits.max_effort;
   e.high = limits.max_effort;
-  e.inertia = limits.inertia;
-  e.friction = limits.friction;
   e.also = {"i"};
   return {p,
           e,

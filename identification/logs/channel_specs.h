@@ -21,10 +21,7 @@ struct ChannelSpec {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   double max_rate = std::numeric_limits<double>::infinity();  ///< per second
-  double inertia = 0.0;  ///< effort channels: effort per acceleration of the group, 0 if unknown
-  double friction =
-      0.0;  ///< effort channels: effort that motion at usual speed takes, 0 if unknown
-  std::vector<std::string> also{};  ///< other names that are understood
+  std::vector<std::string> also{};                            ///< other names that are understood
   /// Effort channels: the torque constant, N·m/A or N/A at the joint, with which a column in A is
   /// read; 0: not known, such a column is refused.
   double per_ampere = 0.0;
@@ -38,8 +35,6 @@ struct DriveLimits {
   double high = std::numeric_limits<double>::infinity();
   double max_velocity = std::numeric_limits<double>::infinity();  ///< rad/s or m/s
   double max_effort = std::numeric_limits<double>::infinity();    ///< N·m or N
-  double inertia = 0.0;                                           ///< kg·m² or kg
-  double friction = 0.0;  ///< effort at usual speed, N·m or N
 };
 
 /// theta, tau_m and optional theta_ref, omega, load, i.

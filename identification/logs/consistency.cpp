@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Channels of one coordinate know of one another: the position's derivative is the velocity, the
-// effort of a lone one moves its inertia, a measurement follows its reference.
+// Channels of one coordinate know of one another: the position's derivative is the velocity, a
+// measurement follows its reference. Whether an effort fits its motion only the model can tell
+// (subjects/column_readings.h).
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <optional>
 
 #include "identification/logs/data_faults.h"
 #include "identification/logs/signal_relations.h"
@@ -18,7 +18,6 @@ namespace {
 using Eigen::ArrayXd;
 
 using std::numbers::pi;
-constexpr long most_points = 6000;
 
 class Group {
  public:
@@ -58,7 +57,6 @@ class Checker {
       check_exchanged_effort(group);
       check_velocity(group);
       check_reference(group);
-      if (alone()) check_effort(group);
     }
     for (size_t i = 0; i < specs_.size(); ++i) check_range(i);
   }
@@ -66,13 +64,6 @@ class Checker {
  private:
   const Eigen::ArrayXXd& samples() const { return log_.segments[longest_].samples; }
   ArrayXd series(int channel) const { return samples().col(channel); }
-
-  /// One coordinate has an effort. Where several have, gravity and the others' motion are in each,
-  /// and only the model can tell (subjects/column_readings.h).
-  bool alone() const {
-    return std::count_if(groups_.begin(), groups_.end(),
-                         [](const Group& group) { return group.has(ChannelRole::effort); }) == 1;
-  }
 
   void report(FaultKind kind, Severity severity, int channel, const std::string& meaning,
               const std::string& action) {
@@ -257,49 +248,10 @@ class Checker {
     return third.mean() / (0.7978845608 * std::sqrt(20.0));
   }
 
-  // ---- effort against motion
-
-  std::optional<DriveMotion> motion(int pc, int ec) const {
-    const ArrayXd p = series(pc), e = series(ec);
-    const double noise = noise_of(pc);
-    if (rms(centred(p)) < 20.0 * noise || rms(centred(p)) <= 0.0) return std::nullopt;
-    const long m = smoothing(noise, p, log_.period);
-    if (p.size() < 40 * m) return std::nullopt;
-    const ArrayXd ps = moving_mean(moving_mean(p, m), m), es = moving_mean(moving_mean(e, m), m);
-    const long n = ps.size() - 2 * m;
-    const auto h = static_cast<double>(m) * log_.period;
-    const long stride = std::max(1L, n / most_points);
-    const long points = (n - 1) / stride + 1;
-    DriveMotion result{ArrayXd(points), ArrayXd(points), ArrayXd(points), ArrayXd(points)};
-    for (long i = 0; i < points; ++i) {
-      const long k = i * stride;
-      result.position(i) = ps(k + m);
-      result.velocity(i) = (ps(k + 2 * m) - ps(k)) / (2.0 * h);
-      result.acceleration(i) = (ps(k + 2 * m) - 2.0 * ps(k + m) + ps(k)) / (h * h);
-      result.effort(i) = es(k + m);
-    }
-    return result;
-  }
-
-  // How fast a signal changes for its size, 1/s.
-  double pace(int channel) const {
-    const ArrayXd x = series(channel);
-    const double size = rms(centred(x));
-    return size > 0.0 ? rms(x.tail(x.size() - 1) - x.head(x.size() - 1)) / (size * log_.period)
-                      : 0.0;
-  }
-
-  // Position and effort exchanged: told by the pace, by the reference or by the velocity.
+  // Position and effort exchanged: told by the reference or by the velocity.
   void check_exchanged_effort(const Group& group) {
     if (!group.has(ChannelRole::position) || !group.has(ChannelRole::effort)) return;
     const int pc = group.of(ChannelRole::position), ec = group.of(ChannelRole::effort);
-    const double pace_p = pace(pc), pace_e = pace(ec);
-    if (alone() && pace_e > 0.0 && pace_p > 2.5 * pace_e) {
-      swapped(pc, ec,
-              "the first changes faster than the second, but motion is smoother than the effort "
-              "that causes it");
-      return;
-    }
     if (group.has(ChannelRole::reference)) {
       const ArrayXd r = series(group.of(ChannelRole::reference));
       if (correlation(series(ec), r) > 0.97 && correlation(series(pc), r) < 0.9) {
@@ -322,54 +274,6 @@ class Checker {
 
   bool is_reported(int channel) const {
     return std::find(reported_.begin(), reported_.end(), channel) != reported_.end();
-  }
-
-  void check_effort(const Group& group) {
-    if (!group.has(ChannelRole::position) || !group.has(ChannelRole::effort)) return;
-    const int pc = group.of(ChannelRole::position), ec = group.of(ChannelRole::effort);
-    if (is_reported(pc) || is_reported(ec)) return;
-    const auto m = motion(pc, ec);
-    if (!m) return;
-    const bool turns = group.spec(ChannelRole::position).unit == "rad";
-    const EffortFit found = fit_effort(*m, turns);
-    const double expected = group.spec(ChannelRole::effort).inertia;
-    const bool sure = std::abs(found.inertia) > 5.0 * found.inertia_error && found.explained > 0.3;
-    const double usual = group.spec(ChannelRole::effort).friction;
-    if (expected > 0.0 && sure && found.inertia > 0.0) {
-      if (implausible(group, found.inertia / expected, "inertia")) return;
-    } else if (usual > 0.0 && found.friction_share > 0.4) {
-      if (implausible(group, found.friction / usual, "friction")) return;
-    }
-    if (found.friction_share < -0.5 || (sure && found.inertia < 0.0 && found.friction_share < -0.1))
-      report(
-          FaultKind::reversed_sign, Severity::stop, ec,
-          fmt::format("'{}' acts against the motion of '{}' all the time: a drive would give "
-                      "energy back; one of the two has the wrong sign",
-                      group.info(ChannelRole::effort).name, group.info(ChannelRole::position).name),
-          "the log is not used");
-  }
-
-  // A payload changes the inertia some times over, a wrong unit at least 57 times.
-  bool implausible(const Group& group, double ratio, const std::string& what) {
-    if (ratio < 12.0 && ratio > 1.0 / 12.0) return false;
-    const Channel& e = group.info(ChannelRole::effort);
-    const Channel& p = group.info(ChannelRole::position);
-    const UnitSlip effort = unit_slip_of(ratio, e.unit, 1.5);
-    const bool turned = what == "inertia";
-    const UnitSlip position = turned ? unit_slip_of(1.0 / ratio, p.unit, 0.75) : UnitSlip{};
-    const std::string evidence =
-        fmt::format("would mean a {} {:.3g} times the model's", what, ratio);
-    if (!effort.meaning.empty()) {
-      const std::string other =
-          position.meaning.empty() ? "" : fmt::format(", or '{}' has {}", p.name, position.meaning);
-      slip(group.of(ChannelRole::effort), {effort.factor, effort.meaning + other}, evidence);
-    } else if (!position.meaning.empty()) {
-      slip(group.of(ChannelRole::position), position, evidence);
-    } else {
-      report(FaultKind::unit_slip, Severity::doubtful, group.of(ChannelRole::effort),
-             fmt::format("'{}' {}", e.name, evidence), "the values are kept");
-    }
-    return true;
   }
 
   const Log& log_;

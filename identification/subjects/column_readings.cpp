@@ -12,10 +12,8 @@
 namespace sinew::diagnosis {
 namespace {
 
-// One log of a hundred has a column that is not what it says. Of 43 logs with a fault that shows,
-// drawn for all plants (tests/blind/truth), 41 are told with that, and of 141 without a fault none
-// is: there the likeliest other reading is 5 nats short or more, and most faults are 15 to 100
-// over. docs/blind_rates.md counts both.
+// One log of a hundred has a column that is not what it says. docs/blind_rates.md counts the faults
+// that are found with that, and the sound logs that are refused.
 constexpr double kOdds = 1e-2;
 
 /// Of a reading that is made as often as any.

@@ -17,7 +17,6 @@ bool has_channel(const std::string& file, const std::vector<std::string>& map,
   return names_channel(CsvReader(file).dialect().header, map, name);
 }
 
-/// What links and gravity ask of the joint is the model's to tell: no inertia, no friction.
 DriveLimits limits_of(const Joint& joint) {
   DriveLimits limits;
   limits.low = joint.low;

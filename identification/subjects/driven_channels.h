@@ -21,7 +21,7 @@ struct DrivenChannels {
 };
 
 /// theta, tau_m, load or x, f, load.
-DrivenChannels drive_log_channels(bool revolute, const DriveLimits& limits);
+DrivenChannels drive_log_channels(bool revolute, const DriveLimits& limits = {});
 
 /// Position (position_channel()) and tau_<joint> of every coordinate. A mechanism of one joint may
 /// also be logged as a drive: it is where neither the file's header nor --map knows q_<joint> or

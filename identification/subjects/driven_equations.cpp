@@ -14,8 +14,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Expected of a drawing's masses and of its friction, of a tendon's arm, and of a drive that a
-// model without links is without: in shares of what the model asks of such coordinates.
+// Expected of a drawing's masses and of its friction, of a tendon's arm, and of a drive that the
+// model is without at a motor or where it has no links: in shares of what it asks of such
+// coordinates.
 constexpr double kMassOrFriction = 0.1, kArm = 0.05, kDrive = 10.0;
 constexpr double kFarFaster = 100.0;    // times the logged speed: there all friction has turned
 constexpr double kRounding = 1e-9;      // of what is usual: left of a difference
@@ -80,6 +81,13 @@ DrivenEquations::Said DrivenEquations::said_of(const Recording& r, MatrixXd link
   said.inertia = starting - loaded + centrifugal;
   said.viscous = (faster - fast) / kFarFaster;
   said.coulomb = 2.0 * fast - faster;
+  // Friction of which another power of the speed was learnt turns nowhere: it is told as a whole.
+  const MatrixXd bent = friction(4.0 * kFarFaster) - 3.0 * faster + 2.0 * fast;
+  for (Index c = 0; c < bent.cols(); ++c)
+    if (bent.col(c).norm() > kAnyway * faster.col(c).norm()) {
+      said.viscous.col(c).setZero();
+      said.coulomb.col(c) = onwards.col(c) - centrifugal.col(c);
+    }
   said.slow = onwards - centrifugal - said.viscous - said.coulomb;
   if (!rigid_) return said;
   // The links' part is asked for link by link.

@@ -165,8 +165,8 @@ PlantedLog clean_log(int number_of_kind, std::mt19937_64& random) {
   const Kind& kind = kinds[static_cast<size_t>(number_of_kind)];
   const Reference reference(kind, random);
   PlantedLog log;
-  DriveLimits limits{-1.6 * kind.size,     1.6 * kind.size, 25.0 * kind.size,
-                     120.0 * kind.coulomb, kind.inertia,    kind.coulomb};
+  const DriveLimits limits{-1.6 * kind.size, 1.6 * kind.size, 25.0 * kind.size,
+                           120.0 * kind.coulomb};
   log.specs = kind.linear ? linear_drive_channels(limits) : rotary_drive_channels(limits);
   log.header = kind.linear ? std::vector<std::string>{"time [s]", "x [m]", "f [N]", "x_ref [m]"}
                            : std::vector<std::string>{"time [s]", "theta [rad]", "tau_m [N·m]",
@@ -224,14 +224,12 @@ std::string planted_name(int fault) {
                                                                    "position in deg",
                                                                    "position in mm",
                                                                    "effort x 1000",
-                                                                   "effort / 1000",
                                                                    "velocity in deg/s",
                                                                    "velocity in rpm",
                                                                    "reference in deg",
                                                                    "position, velocity",
                                                                    "position, effort",
                                                                    "position, reference",
-                                                                   "effort reversed",
                                                                    "constant channel",
                                                                    "clipped effort",
                                                                    "clipped position",
@@ -314,47 +312,41 @@ Planted plant(int fault, PlantedLog& log, std::mt19937_64& random) {
       scale(log, e, 1000.0);
       return named(FaultKind::unit_slip, e, 0, true);
     case 16:
-      scale(log, e, 0.001);
-      return named(FaultKind::unit_slip, e, 0, true);
-    case 17:
       if (v >= 0)
         scale(log, v, 180.0 / pi);
       else
         scale(log, p, radians);
       return named(FaultKind::unit_slip, v >= 0 ? v : p, 0, true);
-    case 18:
+    case 17:
       if (v >= 0)
         scale(log, v, 30.0 / pi);
       else
         scale(log, p, 1.0 / radians);
       return named(FaultKind::unit_slip, v >= 0 ? v : p, 0, true);
-    case 19:
+    case 18:
       scale(log, r, radians);
       return named(FaultKind::unit_slip, r, 0, true);
-    case 20:
+    case 19:
       exchange(log, p, v >= 0 ? v : e);
       return named(FaultKind::swapped_columns, p, 0, true);
-    case 21:
+    case 20:
       exchange(log, p, e);
       return named(FaultKind::swapped_columns, p, 0, true);
-    case 22:
+    case 21:
       exchange(log, p, r);
       return named(FaultKind::swapped_columns, p, 0, true);
-    case 23:
-      scale(log, e, -1.0);
-      return named(FaultKind::reversed_sign, e, 0, true);
-    case 24:
+    case 22:
       for (long i = 0; i < n; ++i) cell(i, c) = cell(0, c);
       return named(FaultKind::constant_channel, c, 0);
-    case 25:
+    case 23:
       clip(log, e, uniform(random, 0.05, 0.2));
       return named(FaultKind::clipping, e, 0);
-    case 26:
+    case 24:
       clip(log, p, uniform(random, 0.05, 0.2));
       return named(FaultKind::clipping, p, 0);
-    case 27:
-    case 28: {
-      const int column = fault == 27 ? p : e;
+    case 25:
+    case 26: {
+      const int column = fault == 25 ? p : e;
       const long length = between(random, n / 200, n / 60);
       const long from = moving_row(log, random, length);
       for (long i = 1; i <= length; ++i) cell(from + i, column) = cell(from, column);

@@ -35,6 +35,18 @@ Mechanism lone_joint() {
   return lone;
 }
 
+/// Friction is most of its effort.
+Mechanism light_joint() {
+  Mechanism light = lone_joint();
+  light.bodies[0].inertia *= 1e-3;
+  light.bodies[0].mass *= 1e-3;
+  Joint& joint = light.joints[0];
+  joint.armature = 7e-4;
+  joint.damping = 0.034;
+  joint.friction = 0.25;
+  return light;
+}
+
 /// Strokes, fast at a pace of 1, and the effort of this joint with a hundredth of noise.
 Recording stroke_log(const Mechanism& truth, double pace = 1.0) {
   const DrivenModel driven = driven_model(truth);
@@ -67,9 +79,9 @@ Recording clocked(Recording log, double factor) {
 
 /// The model that a log is judged against.
 struct Judged {
-  explicit Judged(const Mechanism& mechanism)
+  explicit Judged(const Mechanism& mechanism, const Identified& learnt = {})
       : nominal(driven_model(mechanism)),
-        effort(nominal, {}, SINEW_SOURCE_DIR "/runtime"),
+        effort(nominal, learnt, SINEW_SOURCE_DIR "/runtime"),
         rigid(mechanism, SINEW_SOURCE_DIR "/runtime") {}
   DrivenModel nominal;
   EffortModel effort;
@@ -127,6 +139,23 @@ TEST_CASE("a wrong unit of a single joint is found by the model and named") {
   }
 }
 
+TEST_CASE("a reversed sign of a single joint, or its two columns exchanged, is told") {
+  const Recording right = stroke_log(lone_joint());
+  Recording position = right, effort = right, exchanged = right;
+  position.q *= -1.0;
+  effort.target.front() *= -1.0;
+  exchanged.q.swap(exchanged.target.front());
+  const std::pair<const Recording&, FaultKind> all[] = {{position, FaultKind::reversed_sign},
+                                                        {effort, FaultKind::reversed_sign},
+                                                        {exchanged, FaultKind::swapped_columns}};
+  for (const auto& [wrong, kind] : all) {
+    const std::vector<DataFault> faults = lone_stops(wrong);
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].severity == Severity::stop);
+    CHECK(faults[0].kind == kind);
+  }
+}
+
 TEST_CASE("a wrong factor of the load or of the clock is found by the model and named") {
   // Seen to fail where a force that does something unknown could be a load, too (load times -1),
   // and with a load of half the size (a third of it): 0 == 1.
@@ -173,6 +202,22 @@ TEST_CASE("a slow clock is found where friction is most of the effort") {
   CHECK(faults[0].channel == "time");
 }
 
+TEST_CASE("a slow clock is found where a friction quadratic in speed was learnt") {
+  // Seen red where friction a hundred times faster was read as if it rose in proportion to speed:
+  // of this one both parts were that huge that a small share of them could be anything.
+  Mechanism light = light_joint();
+  light.joints[0].damping = 0.0;
+  const Identified learnt{
+      {{"quadratic_friction", "j1", {}, {{"coefficient", 0.3, 0.001, ""}}, {}}}, {}, {}};
+  Recording right = stroke_log(light, 0.3);
+  right.target.front().array() += 0.3 * right.qd.col(0).array() * right.qd.col(0).array().abs();
+  const Judged model(light, learnt);
+  CHECK(stops_by(model, right).empty());
+  const std::vector<DataFault> faults = stops_by(model, clocked(right, 3.0));
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].channel == "time");
+}
+
 TEST_CASE("friction that turns sooner than the model's is no fast clock") {
   // Seen red with the model's own law of its speed alone: at twice the speed it has turned.
   Mechanism sudden = lone_joint(), late = lone_joint();
@@ -184,13 +229,7 @@ TEST_CASE("friction that turns sooner than the model's is no fast clock") {
 TEST_CASE("a strongly concave friction beside a load is no motor's angle") {
   // Seen red where a friction that the model has may be off by shares of itself alone: this is no
   // sum of its viscous and its Coulomb part.
-  Mechanism light = lone_joint();
-  light.bodies[0].inertia *= 1e-3;
-  light.bodies[0].mass *= 1e-3;
-  Joint& joint = light.joints[0];
-  joint.armature = 7e-4;
-  joint.damping = 0.034;
-  joint.friction = 0.25;
+  const Mechanism light = light_joint();
   Recording log = stroke_log(light, 0.2);
   log.load = (0.3 + 0.3 * (1.7 * log.time.array()).sin()).matrix();
   const Eigen::ArrayXd speed = log.qd.col(0) / log.qd.cwiseAbs().maxCoeff();
