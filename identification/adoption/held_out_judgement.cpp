@@ -58,11 +58,20 @@ void drop_unconfirmed(Unexplained& rest) {
   rest.named_share = 1.0;
 }
 
+constexpr double kExcess = 3.0;  // what is left over is that many times the noise, and no noise
+
+/// What no fluke of the training logs is: it helps in their left-out blocks as well, or what they
+/// leave without it is far above the noise.
+bool is_plain(const NamedCause& cause) {
+  constexpr double kShare = 0.2, kOdds = 4.6;  // a hundred to one
+  return cause.log_odds > kOdds &&
+         (cause.cross_validated.low > kShare || cause.left_without > kExcess);
+}
+
 }  // namespace
 
 void confirm_on_held_out(Verdict& verdict) {
   drop_unconfirmed(verdict.unexplained);
-  constexpr double kExcess = 3.0;
   std::vector<NamedCause> kept;
   for (NamedCause& cause : verdict.causes) {
     if (is_sure(cause.confirmed)) {
@@ -72,8 +81,9 @@ void confirm_on_held_out(Verdict& verdict) {
     const RankedCause& first = cause.members.front();
     verdict.ruled_out.push_back(
         {first.name, first.place, "no sure gain on the held-out logs", cause.log_odds});
-    if (is_plain(cause.cross_validated, cause.log_odds))
-      verdict.disagreements.push_back({first.name, first.place, cause.cross_validated, -1, 1.0});
+    if (is_plain(cause))
+      verdict.disagreements.push_back(
+          {first.name, first.place, cause.cross_validated, -1, cause.left_without});
   }
   verdict.causes = std::move(kept);
   if (verdict.disagreements.empty() && verdict.most_excess.ratio > kExcess)

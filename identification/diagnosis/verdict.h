@@ -53,6 +53,9 @@ struct NamedCause {
   Gain cross_validated;     ///< of the error on left-out blocks, 95 % interval
   Gain held_out;            ///< on held-out logs; share 0 where none were given
   Gain confirmed;           ///< the same of the whitened error, by which a name is kept
+  /// Rms left in the training logs without it / with it, in the channel of the most; of a name that
+  /// held-out logs refute.
+  double left_without = 1.0;
   std::vector<ParameterEstimate> parameters;  ///< of that term
   Separation separation;                      ///< where there is more than one member
 };
@@ -72,12 +75,6 @@ struct Dependence {
   std::optional<Gain> confirmed = {};
 };
 
-/// A gain on left-out blocks that is no fluke of the training logs.
-inline bool is_plain(const Gain& gain, double log_odds) {
-  constexpr double kShare = 0.2, kOdds = 4.6;  // a hundred to one
-  return gain.low > kShare && log_odds > kOdds;
-}
-
 struct Unexplained {
   bool none_of_the_known = false;      ///< structure of its own, and no name fits it
   std::vector<Dependence> depends_on;  ///< strongest first
@@ -93,7 +90,9 @@ struct Disagreement {
   std::string name, place;  ///< of the cause; empty: none
   Gain in_training;         ///< of the cause, on left-out blocks
   int channel = -1;         ///< where more is left over
-  double ratio = 1.0;       ///< rms left in the held-out logs / in the training logs, there
+  /// Rms left in the held-out logs / in the training logs, there; of a cause, left in the training
+  /// logs without it / with it.
+  double ratio = 1.0;
 };
 
 struct Verdict {

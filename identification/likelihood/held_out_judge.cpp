@@ -139,6 +139,9 @@ std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
     }
     adopted.noise = own_noise(design_, model);
     measure(adopted, term, *least);
+    const auto [with, without] = compared(design_, model, term, adopted.noise.weights);
+    least->left_without =
+        left_over(design_, without).cwiseQuotient(left_over(design_, with)).maxCoeff();
     gone.push_back(std::move(*least));
     list.erase(least);
     remove_term(design_, term, model);

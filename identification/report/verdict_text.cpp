@@ -38,7 +38,12 @@ std::string experiment_text(const Separation& separation) {
 std::string disagreement_text(const Findings& f) {
   std::vector<std::string> parts;
   for (const Disagreement& d : f.verdict.disagreements)
-    if (!d.name.empty())
+    if (!d.name.empty() && !(d.in_training.low > 0.0))
+      parts.push_back(fmt::format(
+          "without {} ({}) the training logs leave an rms residual {:.1f} times as large, and in "
+          "the held-out ones it takes away nothing sure",
+          d.name, d.place, d.ratio));
+    else if (!d.name.empty())
       parts.push_back(
           fmt::format("{} ({}) takes away {} of the squared error there in the training logs "
                       "(cross-validated gain), and nothing sure in the held-out ones",

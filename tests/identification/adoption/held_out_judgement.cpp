@@ -27,6 +27,29 @@ TEST_CASE("a name stands where its gain on held-out logs is surely one") {
   CHECK(verdict.ruled_out.front().reason == "no sure gain on the held-out logs");
 }
 
+// Seen red where only a gain in left-out blocks of the training logs counted: "the model leaves
+// nothing over but noise", of an rms residual 3.4 times the noise.
+TEST_CASE("a name that held-out logs refute is no noise where the training logs leave much") {
+  const auto refuted = [](double left_without) {
+    NamedCause c;
+    c.members.emplace_back();
+    c.members.front().name = "cable";
+    c.log_odds = 740.0;
+    c.cross_validated = {0.1, -0.4, 0.5};
+    c.confirmed = {-0.2, -0.3, -0.1};
+    c.left_without = left_without;
+    Verdict verdict;
+    verdict.causes = {c};
+    confirm_on_held_out(verdict);
+    return verdict;
+  };
+  CHECK(refuted(1.5).nothing_beyond_noise());
+  const Verdict told = refuted(3.4);
+  REQUIRE(told.disagreements.size() == 1);
+  CHECK(told.disagreements.front().name == "cable");
+  CHECK(told.disagreements.front().ratio == 3.4);
+}
+
 // Seen red with structure that is told whatever the held-out logs say, and with such of one log's
 // time taken back.
 TEST_CASE(
