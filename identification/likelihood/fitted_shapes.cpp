@@ -77,6 +77,30 @@ void fit_starts(const Design& design, const std::vector<Start>& starts, FoundSlo
             found.model.terms.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
+/// A fit knows no limits of a shape and its size together. One that ends beyond them keeps a shape
+/// of its entry that lies within, as the search has tried it.
+void keep_possible(const Design& design, FoundSlots& found) {
+  const std::size_t count = found.slots.entries.size(), first = found.model.terms.size() - count;
+  const auto is_beyond = [&](std::size_t i) {
+    const LinearFit fit = solve(stack(found.model, found.whitening.training));
+    return is_beyond_limits(design, found.model, fit, first + i);
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    Term& term = found.model.terms[first + i];
+    if (term.nonlinear.size() == 0 || term.candidate->kind == CandidateKind::delay) continue;
+    if (!is_beyond(i)) continue;
+    const Term fitted = term;
+    const Entry& entry = found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])];
+    for (const int shape : entry.shapes) {
+      const VectorXd& tried = found.all.shapes[static_cast<std::size_t>(shape)].nonlinear;
+      term = make_term(design, *fitted.candidate, tried, false);
+      term.with_prior = true;
+      if (!is_beyond(i)) break;
+      term = fitted;
+    }
+  }
+}
+
 }  // namespace
 
 void fit_shapes(const Design& design, FoundSlots& found) {
@@ -86,6 +110,7 @@ void fit_shapes(const Design& design, FoundSlots& found) {
         {found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])].hypothesis,
          start_of(found, i)});
   fit_starts(design, starts, found);
+  keep_possible(design, found);
   const auto terms = found.model.terms.end() - static_cast<std::ptrdiff_t>(starts.size());
   found.forms = slot_forms(found.all, *found.search, found.slots, {terms, found.model.terms.end()});
 }
