@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "identification/likelihood/decision_constants.h"
 #include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
@@ -56,7 +57,42 @@ void append_start(const Design& design, const Start& start, FoundSlots& found) {
     found.model.terms.push_back(make_term(design, *h.source, start.nonlinear, false));
 }
 
-void fit_starts(const Design& design, const std::vector<Start>& starts, FoundSlots& found) {
+/// What lies between two shapes may explain less than either, and a fit knows no limits of a shape
+/// and its size together: where a shape of its entry, as the search has tried it, explains more, or
+/// is within limits that a term leaves by chance only, that one is taken. What the logs surely ask
+/// for beyond the limits is another cause.
+/// `slot_of`: of the model's last terms.
+void keep_best(const Design& design, const std::vector<std::size_t>& slot_of, FoundSlots& found) {
+  const double by_chance = -2.0 * std::log(1.0 - kCredible);
+  const std::size_t count = slot_of.size(), first = found.model.terms.size() - count;
+  const auto lost_by = [&](std::size_t i) {
+    const LinearFit fit = solve(stack(found.model, found.whitening.training));
+    return deviance(found.model, found.whitening.training) +
+           (is_beyond_limits(design, found.model, fit, first + i) ? by_chance : 0.0);
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    Term& term = found.model.terms[first + i];
+    if (term.nonlinear.size() == 0 || term.candidate->kind == CandidateKind::delay) continue;
+    double least = lost_by(i);
+    const Entry& entry =
+        found.search->entries()[static_cast<std::size_t>(found.slots.entries[slot_of[i]])];
+    for (const int shape : entry.shapes) {
+      const Term best = term;
+      const VectorXd& tried = found.all.shapes[static_cast<std::size_t>(shape)].nonlinear;
+      term = make_term(design, *best.candidate, tried, false);
+      term.with_prior = true;
+      const double here = lost_by(i);
+      if (here < least)
+        least = here;
+      else
+        term = best;
+    }
+  }
+}
+
+/// `of_slots`: the starts are those of what the search has found.
+void fit_starts(const Design& design, const std::vector<Start>& starts, bool of_slots,
+                FoundSlots& found) {
   found.model = found.all.parts.base;
   const std::size_t first = found.model.terms.size();
   std::vector<std::size_t> order;
@@ -70,35 +106,13 @@ void fit_starts(const Design& design, const std::vector<Start>& starts, FoundSlo
   if (starts.empty()) return;
   for (std::size_t t = first; t < found.model.terms.size(); ++t)
     found.model.terms[t].with_prior = true;
+  if (of_slots) keep_best(design, order, found);
   refine(design, found.whitening.training, found.model);
+  if (of_slots) keep_best(design, order, found);
   std::vector<Term> sorted(starts.size());
   for (std::size_t k = 0; k < starts.size(); ++k) sorted[order[k]] = found.model.terms[first + k];
   std::move(sorted.begin(), sorted.end(),
             found.model.terms.begin() + static_cast<std::ptrdiff_t>(first));
-}
-
-/// A fit knows no limits of a shape and its size together. One that ends beyond them keeps a shape
-/// of its entry that lies within, as the search has tried it.
-void keep_possible(const Design& design, FoundSlots& found) {
-  const std::size_t count = found.slots.entries.size(), first = found.model.terms.size() - count;
-  const auto is_beyond = [&](std::size_t i) {
-    const LinearFit fit = solve(stack(found.model, found.whitening.training));
-    return is_beyond_limits(design, found.model, fit, first + i);
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    Term& term = found.model.terms[first + i];
-    if (term.nonlinear.size() == 0 || term.candidate->kind == CandidateKind::delay) continue;
-    if (!is_beyond(i)) continue;
-    const Term fitted = term;
-    const Entry& entry = found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])];
-    for (const int shape : entry.shapes) {
-      const VectorXd& tried = found.all.shapes[static_cast<std::size_t>(shape)].nonlinear;
-      term = make_term(design, *fitted.candidate, tried, false);
-      term.with_prior = true;
-      if (!is_beyond(i)) break;
-      term = fitted;
-    }
-  }
 }
 
 }  // namespace
@@ -109,8 +123,7 @@ void fit_shapes(const Design& design, FoundSlots& found) {
     starts.push_back(
         {found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])].hypothesis,
          start_of(found, i)});
-  fit_starts(design, starts, found);
-  keep_possible(design, found);
+  fit_starts(design, starts, true, found);
   const auto terms = found.model.terms.end() - static_cast<std::ptrdiff_t>(starts.size());
   found.forms = slot_forms(found.all, *found.search, found.slots, {terms, found.model.terms.end()});
 }
@@ -121,7 +134,7 @@ void fit_forms(const Design& design, const std::vector<SlotForm>& forms, FoundSl
     const int hypothesis = hypothesis_of(found.all, form);
     if (hypothesis >= 0) starts.push_back({hypothesis, form.nonlinear});
   }
-  fit_starts(design, starts, found);
+  fit_starts(design, starts, false, found);
 }
 
 namespace {

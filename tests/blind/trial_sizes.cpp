@@ -126,6 +126,11 @@ TEST_CASE("what is always fitted takes nothing of a cause's size twice") {
   const Size alone = size_of({channel}, 0.002);
   CHECK(alone.excess == alone.plain);
   CHECK(alone.excess > 0.5);
+  // One line of a white noise of variance 1, what is seen of it beyond the faded ends: 0.5 A^2 n / 2.
+  CHECK(alone.nats == Approx(0.25 * rows).epsilon(0.4));
+  channel.noise *= 2.0;
+  CHECK(size_of({channel}, 0.002).nats == Approx(0.25 * alone.nats).epsilon(1e-9));
+  channel.noise *= 0.5;
   channel.fitted = channel.added;
   CHECK(size_of({channel}, 0.002).excess < 1e-6 * alone.excess);
   // A tenth of the band is a tenth of the noise's power: the unit is the noise in the same band.

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The study's page and its picture."""
+import collections
 import html
+import math
 
 from results import by, calibration, cause_of, counted, of, rate, said, status
 
@@ -119,6 +121,22 @@ def singles(lines):
                          rate(n, said("right")), rate(n, lambda x: x.get("false_names", 0) > 0), *ended(some)])
     return table(["one cause", "size", "trials", "detected", "in the set", "right", "with a false name",
                   "unreachable", "refused", "crashed"], rows)
+
+
+NATS = (0, 12, 25, 50, 100, 400, float("inf"))
+
+
+def evidence(lines):
+    """One cause, by what there is to be seen of it."""
+    known = [x for x in counted(of(lines, family="one")) if "nats" in (x["seal"].get("hidden") or [{}])[0]]
+    rows = []
+    for low, high in zip(NATS, NATS[1:]):
+        some = [x for x in known if low <= x["seal"]["hidden"][0]["nats"] < high]
+        missed = collections.Counter(cause_of(x) for x in some if not x.get("right"))
+        rows.append([f"{low} to {high}" if math.isfinite(high) else f"{low} and more", len(some), rate(some, said("detected")),
+                     rate(some, said("inside")), rate(some, said("right")),
+                     ", ".join(f"{cause} ({n})" for cause, n in missed.most_common(6))])
+    return table(["nats", "trials", "detected", "in the set", "right", "not right, most often"], rows)
 
 
 def families(lines):
@@ -285,6 +303,9 @@ def written(everything, facts, limits):
         f"{drawing / 3600:.2f} of drawing, {judging / 3600:.2f} of judging what was adopted; command:\n",
         f"    {facts['command']}\n",
         "## Goals\n", goals(lines), "## One cause\n", f"![rates over the size of a cause]({facts.get('rates', 'blind_rates.svg')})\n", singles(lines),
+        "By how many nats its log is likelier with the cause than without, to an observer who knows the cause's own "
+        "signal and the noise's spectrum; before the log the odds of one cause are one to 100,000, 12 nats.\n",
+        evidence(lines),
         "## Nothing, several, outside the library, faults\n", families(lines),
         "## Pairs that a log cannot tell apart\n", pairs(lines),
         "## Each cause\n", f"![rates of each cause]({facts.get('causes', 'blind_causes.svg')})\n", too_few(lines), causes(lines), "## Outside the library\n", outside(lines),

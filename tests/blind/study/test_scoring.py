@@ -244,6 +244,17 @@ class Counts(unittest.TestCase):
         self.assertIn("delay (9)", page.too_few([line] * 9 + [{**line, "status": "unreachable"}]))
         self.assertNotIn("delay", page.too_few([line] * 10))
 
+    def test_evidence_sorts_trials_by_what_is_to_be_seen(self):
+        # Planted defect: with "low < nats" the one at 12 stands in no row.
+        def line(nats, right):
+            return {"plant": "drive", "family": "one", "size": 1.0, "status": "ran", "cause": "delay", "right": right,
+                    "detected": right, "inside": right,
+                    "seal": {"hidden": [{"cause": "delay", "place": "motor", "nats": nats}]}}
+        rows = page.evidence([line(3.0, False), line(12.0, True), line(900.0, True)]).splitlines()[2:]
+        self.assertEqual([row.split(" | ")[1] for row in rows], ["1", "1", "0", "0", "0", "1"])
+        self.assertIn("delay (1)", rows[0])
+        self.assertNotIn("delay", rows[1])
+
     def test_the_picture_has_every_cause_with_its_interval(self):
         lines = [{"plant": "drive", "family": "one", "size": 1.0, "status": "ran", "right": right, "cause": "",
                   "seal": {"hidden": [{"cause": "delay"}], "traits": {}}} for right in (True, False)]

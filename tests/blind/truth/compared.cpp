@@ -160,6 +160,25 @@ VectorXd ComparedFilter::ends(const VectorXd& x) const {
   return weight;
 }
 
+namespace {
+
+/// Half of the squares of the lines (real and imaginary part of each, one after the other), over
+/// the noise's spectrum: its lines nearby, one with another.
+double known_evidence(const VectorXd& lines, const VectorXd& noise) {
+  constexpr Index nearby = 8;  // each way
+  const Index count = lines.size() / 2;
+  double nats = 0.0;
+  for (Index k = 0; k < count; ++k) {
+    const Index first = std::max<Index>(0, k - nearby), last = std::min(count - 1, k + nearby);
+    const double two = 2.0 * noise.segment(2 * first, 2 * (last - first + 1)).squaredNorm() /
+                       static_cast<double>(2 * (last - first + 1));
+    if (two > 0.0) nats += lines.segment(2 * k, 2).squaredNorm() / two;
+  }
+  return nats;
+}
+
+}  // namespace
+
 Size size_of(const std::vector<Channel>& channels, double step) {
   Size size;
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -170,7 +189,8 @@ Size size_of(const std::vector<Channel>& channels, double step) {
     const auto seen = [&](const VectorXd& x) {
       return filter.in_band(filter(x).cwiseProduct(weight));
     };
-    const double unit = seen(channel.noise).norm();
+    const VectorXd noise = seen(channel.noise);
+    const double unit = noise.norm();
     VectorXd left = seen(channel.added);
     if (!(unit > 0.0)) continue;
     const double plain = left.norm() / unit;
@@ -184,6 +204,7 @@ Size size_of(const std::vector<Channel>& channels, double step) {
       left -= columns * columns.completeOrthogonalDecomposition().solve(left);
     }
     const double excess = left.norm() / unit;
+    size.nats += known_evidence(left, noise);
     size.plain = std::max(size.plain, plain);
     if (excess < size.excess || (size.channel >= 0 && excess == size.excess)) continue;
     size.excess = excess;

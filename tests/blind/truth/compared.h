@@ -48,6 +48,8 @@ struct Size {
   double excess = 0.0;  ///< beside what is always fitted
   double plain = 0.0;   ///< the same without projection
   int channel = -1;     ///< where excess is largest: the size is that channel's
+  double nats = 0.0;    ///< log likelihood ratio of the excess, of all channels, to an observer who
+                        ///< knows it and the noise's spectrum
 };
 
 Size size_of(const std::vector<Channel>& channels, double step);

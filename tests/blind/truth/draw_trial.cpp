@@ -133,7 +133,8 @@ json text_of(const Offer& offer, const Sized& sized) {
   json j = {{"cause", offer.cause},      {"place", offer.place},
             {"value", h.dose},           {"law", h.law},
             {"width", h.width},          {"excess", sized.size.excess},
-            {"plain", sized.size.plain}, {"channel", sized.size.channel}};
+            {"plain", sized.size.plain}, {"channel", sized.size.channel},
+            {"nats", sized.size.nats}};
   if (offer.order > 0) j["order"] = offer.order;
   if (!offer.parameter.empty())
     j["parameter"] = {{"name", offer.parameter}, {"value", parameter_of(offer, h)}};
