@@ -72,7 +72,10 @@ void keep_best(const Design& design, const std::vector<std::size_t>& slot_of, Fo
   };
   for (std::size_t i = 0; i < count; ++i) {
     Term& term = found.model.terms[first + i];
-    if (term.nonlinear.size() == 0 || term.candidate->kind == CandidateKind::delay) continue;
+    // A secant is one to its own coefficient, a delay the model's time.
+    if (term.nonlinear.size() == 0 || term.candidate->secant != 0.0 ||
+        term.candidate->kind == CandidateKind::delay)
+      continue;
     double least = lost_by(i);
     const Entry& entry =
         found.search->entries()[static_cast<std::size_t>(found.slots.entries[slot_of[i]])];
