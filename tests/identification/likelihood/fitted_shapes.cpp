@@ -50,8 +50,8 @@ Problem problem_with_lag() {
 
 }  // namespace
 
-// Seen red without keep_possible(): the free fit has 2.8, the lag was banned for it, and the other
-// name told.
+// Seen red without keep_best(): the free fit has 2.8, the lag was banned for it, and the other name
+// told.
 TEST_CASE("a cause whose free fit leaves its limits is told within them") {
   const Problem problem = problem_with_lag();
   const Explanation found = explain(problem, test::below_20_hz(), {});

@@ -140,6 +140,8 @@ TEST_CASE("a wrong unit of a single joint is found by the model and named") {
 }
 
 TEST_CASE("a reversed sign of a single joint, or its two columns exchanged, is told") {
+  // Seen red without the exchanges, and without signs among the slips and the free factors: both
+  // are told as a unit then. Signs as free factors alone are told, too.
   const Recording right = stroke_log(lone_joint());
   Recording position = right, effort = right, exchanged = right;
   position.q *= -1.0;
