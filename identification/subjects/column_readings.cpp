@@ -7,8 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "identification/diagnosis/clustered_errors.h"
-
 namespace sinew::diagnosis {
 namespace {
 
@@ -52,8 +50,8 @@ void tell_clock(const Log& log, const ColumnReading& reading, const std::string&
 
 }  // namespace
 
-double evidence_of_share(double share) {
-  return -0.5 * kStretches * std::log(share + kAnyway * kAnyway);
+double evidence_of_share(double share, double stretches) {
+  return -0.5 * stretches * std::log(share + kAnyway * kAnyway);
 }
 
 std::vector<ColumnReading> known_slips(const Log& log, int column) {

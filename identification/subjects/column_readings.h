@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "identification/diagnosis/clustered_errors.h"
 #include "identification/logs/data_faults.h"
 
 namespace sinew::diagnosis {
@@ -32,8 +33,8 @@ inline constexpr double kRare = 0.2;
 inline constexpr double kAnyway = 0.03;
 
 /// Log likelihood of one measured quantity of which the model leaves over this share of its
-/// variance.
-double evidence_of_share(double share);
+/// variance, in so many stretches of time that each may be anything.
+double evidence_of_share(double share, double stretches = kStretches);
 
 /// The ways in which a column alone may be wrong: its sign, and units whose slips are known.
 std::vector<ColumnReading> known_slips(const Log& log, int column);

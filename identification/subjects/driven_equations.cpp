@@ -21,6 +21,7 @@ constexpr double kMassOrFriction = 0.1, kArm = 0.05, kDrive = 10.0;
 constexpr double kFarFaster = 100.0;    // times the logged speed: there all friction has turned
 constexpr double kRounding = 1e-9;      // of what is usual: left of a difference
 constexpr std::size_t kMostLinks = 10;  // that are told apart: an arm's or a finger's, not a hand's
+constexpr Index kCurve = 3;             // degree, that of a short cable's torque in the library
 constexpr Index kPerLink = RigidColumns::kBodyColumns;
 
 /// Each body's own share, and what it may carry.
@@ -30,6 +31,19 @@ std::vector<Unknown> unknowns_of_links(Index columns) {
     unknowns.push_back(
         {k % kPerLink == 0 ? Unknown::Kind::share : Unknown::Kind::added, kMassOrFriction});
   return unknowns;
+}
+
+/// samples x (kCurve + 1): Chebyshev polynomials over the reach, for a cable, a spring, a tilted
+/// base.
+MatrixXd chebyshev(const VectorXd& q) {
+  MatrixXd curve = MatrixXd::Ones(q.size(), kCurve + 1);
+  const double middle = 0.5 * (q.maxCoeff() + q.minCoeff()),
+               half = 0.5 * (q.maxCoeff() - q.minCoeff());
+  const VectorXd x = (q.array() - middle) / std::max(half, kRounding);
+  curve.col(1) = x;
+  for (Index k = 2; k <= kCurve; ++k)
+    curve.col(k) = 2.0 * x.cwiseProduct(curve.col(k - 1)) - curve.col(k - 2);
+  return curve;
 }
 
 }  // namespace
@@ -161,6 +175,7 @@ EffortParts DrivenEquations::parts_at(const Recording& r, const Said& said, Inde
   EffortParts parts;
   parts.measured = r.target[static_cast<std::size_t>(i)](moving);
   parts.said = said.all.col(c)(moving);
+  parts.moving = static_cast<double>(moving.size()) / static_cast<double>(counts.size());
   if (said.load.size() > 0) parts.load = said.load.col(c)(moving);
   const Index of_links = rigid_ ? rigid_->coordinates() : 0;
   const Index per = c < of_links ? said.links.cols() / of_links : 0;
@@ -170,6 +185,7 @@ EffortParts DrivenEquations::parts_at(const Recording& r, const Said& said, Inde
   parts.drive << said.rest.col(c)(moving), said.inertia.col(c)(moving), said.viscous.col(c)(moving),
       said.coulomb.col(c)(moving);
   parts.slow = said.slow.col(c)(moving);
+  parts.curve = chebyshev(r.q.col(c)(moving));
   parts.own = own_drive(r.qd.col(c), r.qdd.col(c))(moving, Eigen::seqN(0, 3));
   if (i >= by_tendons_) return parts;
   const MatrixXd& tension = r.signals.at("tension");
@@ -204,7 +220,7 @@ double DrivenEquations::expected_drive(Index i, double usual) const {
 
 EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usual, double drive,
                                             std::vector<Unknown>& unknowns) const {
-  EffortEquation equation{parts.measured, parts.said, {}};
+  EffortEquation equation{parts.measured, parts.said, kStretches * parts.moving, {}};
   for (Index k = 0; k < parts.links.cols(); ++k)
     equation.terms.push_back({static_cast<int>(k), parts.links.col(k)});
   const auto add = [&](const VectorXd& column, Unknown::Kind kind, double spread) {
@@ -227,8 +243,8 @@ EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usu
   // Tendons pull against each other, by more than what moves the joint.
   const double pulled =
       parts.tendons.cols() > 0 ? rms(parts.tendons.rowwise().norm().array()) : 0.0;
-  add(VectorXd::Constant(parts.said.size(), std::max(usual, pulled)), Unknown::Kind::drawn,
-      kAnyway);
+  for (Index k = 0; k < parts.curve.cols(); ++k)
+    add(std::max(usual, pulled) * parts.curve.col(k), Unknown::Kind::drawn, kAnyway);
   for (Index t = 0; t < parts.tendons.cols(); ++t) {
     add(parts.tendons.col(t), Unknown::Kind::fixed, kArm);
     add(parts.guides.col(t), Unknown::Kind::drawn, kAnyway);
@@ -236,28 +252,28 @@ EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usu
   return equation;
 }
 
-double DrivenEquations::evidence_alone(const std::vector<EffortParts>& parts, std::size_t i) const {
+EffortFit DrivenEquations::fit_alone(const std::vector<EffortParts>& parts, std::size_t i) const {
   std::vector<Unknown> unknowns = unknowns_of_links(parts[i].links.cols());
   const double asked = usual(parts, i);
   const EffortEquation equation =
       equation_of(parts[i], asked, expected_drive(static_cast<Index>(i), asked), unknowns);
-  return evidence_of({equation}, unknowns);
+  return fit_of({equation}, unknowns);
 }
 
 std::vector<double> DrivenEquations::evidence_each(const std::vector<EffortParts>& parts) const {
   std::vector<double> all;
-  for (std::size_t i = 0; i < parts.size(); ++i) all.push_back(evidence_alone(parts, i));
+  for (std::size_t i = 0; i < parts.size(); ++i) all.push_back(fit_alone(parts, i).evidence);
   return all;
 }
 
 /// Efforts have nothing in common but the links.
-double DrivenEquations::evidence(const std::vector<EffortParts>& parts) const {
-  double sum = 0.0;
+EffortFit DrivenEquations::fit(const std::vector<EffortParts>& parts) const {
+  EffortFit sum;
   std::vector<Unknown> unknowns;
   std::vector<EffortEquation> joined;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].links.cols() == 0) {
-      sum += evidence_alone(parts, i);
+      sum += fit_alone(parts, i);
       continue;
     }
     if (joined.empty()) unknowns = unknowns_of_links(parts[i].links.cols());
@@ -265,7 +281,7 @@ double DrivenEquations::evidence(const std::vector<EffortParts>& parts) const {
     joined.push_back(
         equation_of(parts[i], asked, expected_drive(static_cast<Index>(i), asked), unknowns));
   }
-  return joined.empty() ? sum : sum + evidence_of(joined, unknowns);
+  return joined.empty() ? sum : sum += fit_of(joined, unknowns);
 }
 
 }  // namespace sinew::diagnosis

@@ -20,10 +20,12 @@ inline constexpr double kOwnConstant = 0.12;
 /// Of one measured effort, samples in which its coordinate moves.
 struct EffortParts {
   Eigen::VectorXd measured, said;
+  double moving = 0.0;      ///< share of the log's samples that these are
   Eigen::MatrixXd links;    ///< of each body, see RigidColumns::body_columns()
   Eigen::VectorXd load;     ///< what the logged load makes of `said`; empty: none is logged
   Eigen::MatrixXd drive;    ///< the rest of `said`: at rest, by acceleration, viscous, Coulomb
   Eigen::VectorXd slow;     ///< what friction is beside the last two, at low speeds
+  Eigen::MatrixXd curve;    ///< over the coordinate's reach, of what goes with the position alone
   Eigen::MatrixXd own;      ///< unit inertia, viscous and Coulomb friction of the coordinate
   Eigen::MatrixXd tendons;  ///< torque of each tendon's measured force; no columns: none
   Eigen::MatrixXd guides;   ///< the same against the tendon's motion: friction in its guides
@@ -52,7 +54,7 @@ class DrivenEquations {
   /// Of each measured effort: its log likelihood alone, all unknowns being what suits it best.
   std::vector<double> evidence_each(const std::vector<EffortParts>& parts) const;
   /// Of all, with what they have in common.
-  double evidence(const std::vector<EffortParts>& parts) const;
+  EffortFit fit(const std::vector<EffortParts>& parts) const;
 
  private:
   struct Said;
@@ -66,7 +68,7 @@ class DrivenEquations {
   double expected_drive(Eigen::Index i, double usual) const;
   EffortEquation equation_of(const EffortParts& parts, double usual, double drive,
                              std::vector<Unknown>& unknowns) const;
-  double evidence_alone(const std::vector<EffortParts>& parts, std::size_t i) const;
+  EffortFit fit_alone(const std::vector<EffortParts>& parts, std::size_t i) const;
 
   const DrivenModel& model_;
   const EffortModel& effort_;

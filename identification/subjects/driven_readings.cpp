@@ -55,15 +55,17 @@ class DrivenJudge {
     motion_ = equations.logged(as_logged);
     parts_ = equations.parts_of(as_logged, *motion_);
     each_ = equations.evidence_each(parts_);
-    as_it_is_ = equations.evidence(parts_);
+    const EffortFit fit = equations.fit(parts_);
+    as_it_is_ = fit.evidence;
+    left_now_ = left(fit);
   }
 
   std::optional<ColumnReading> other_reading() const {
     std::vector<ColumnReading> all = known_slips_of_all();
     add_exchanges(all);
-    const double could_gain =
-        evidence_of_share(0.0) * static_cast<double>(equations_.measured()) - as_it_is_;
-    if (!is_worth_reading(could_gain, all)) return std::nullopt;
+    double could_be = 0.0;
+    for (Index i = 0; i < equations_.measured(); ++i) could_be += explained(i);
+    if (!is_worth_reading(could_be - as_it_is_, all)) return std::nullopt;
     add_free_factors(all);
     all.push_back(clock());
     return likelier_reading(all, as_it_is_otherwise(all),
@@ -73,12 +75,16 @@ class DrivenJudge {
                             });
   }
 
-  double left_now() const { return left(parts_); }
-  double left_by(const ColumnReading& reading) const { return left(parts_of(reading)); }
+  /// Share of the efforts' standard deviation that the model leaves over with what the machine may
+  /// have otherwise: as the log is, and as it may have been meant.
+  double left_now() const { return left_now_; }
+  double left_by(const ColumnReading& reading) const {
+    return left(equations_.fit(parts_of(reading)));
+  }
 
  private:
   double evidence(const ColumnReading& reading) const {
-    return equations_.evidence(parts_of(reading));
+    return equations_.fit(parts_of(reading)).evidence;
   }
 
   std::vector<EffortParts> parts_of(const ColumnReading& reading) const {
@@ -99,25 +105,24 @@ class DrivenJudge {
            (is_effort(reading.column) && (reading.other < 0 || is_effort(reading.other)));
   }
 
-  /// Share of the efforts' standard deviation that the model leaves over as it stands.
-  static double left(const std::vector<EffortParts>& parts) {
-    double total = 0.0;
-    for (const EffortParts& p : parts) {
-      const VectorXd y = p.measured.array() - p.measured.mean();
-      VectorXd e = p.measured - p.said;
-      e.array() -= e.mean();
-      if (y.squaredNorm() > 0.0) total += e.squaredNorm() / y.squaredNorm();
-    }
-    return std::sqrt(total / static_cast<double>(parts.size()));
+  static double left(const EffortFit& fit) {
+    return std::sqrt(fit.left / std::max(1, fit.efforts));
   }
 
   /// No reading can do better than explain all efforts that it touches, the others each by what
   /// suits it best.
   double most(const ColumnReading& reading) const {
     double sum = 0.0;
-    for (Index i = 0; i < equations_.measured(); ++i)
-      sum += touches(reading, i) ? evidence_of_share(0.0) : each_[static_cast<std::size_t>(i)];
+    for (Index i = 0; i < equations_.measured(); ++i) {
+      const double best = reading.other < 0 ? explained(i) : evidence_of_share(0.0);
+      sum += touches(reading, i) ? best : each_[static_cast<std::size_t>(i)];
+    }
     return sum;
+  }
+
+  /// Log likelihood of an effort of which nothing is left over where its coordinate moves.
+  double explained(Index i) const {
+    return evidence_of_share(0.0, kStretches * parts_[static_cast<std::size_t>(i)].moving);
   }
 
   bool touches(const ColumnReading& reading, Index i) const {
@@ -278,7 +283,7 @@ class DrivenJudge {
   std::shared_ptr<const DrivenEquations::Logged> motion_;
   std::vector<EffortParts> parts_;  ///< as the log is
   std::vector<double> each_;
-  double as_it_is_ = 0.0;
+  double as_it_is_ = 0.0, left_now_ = 0.0;
 };
 
 }  // namespace

@@ -29,10 +29,17 @@ struct Products {
   MatrixXd gram;
   VectorXd right;
   double left = 1.0;  ///< with every unknown zero
+  double stretches = 0.0;
 
   double share(const VectorXd& c) const {
     const VectorXd own = c(at);
     return std::max(0.0, left - 2.0 * right.dot(own) + own.dot(gram * own));
+  }
+  double evidence(double share) const { return evidence_of_share(share, stretches); }
+  /// Of -evidence().
+  double slope_at(double share) const {
+    const double step = 1e-3 * share + 1e-9;
+    return (evidence(share) - evidence(share + step)) / step;
   }
   bool is_finite() const { return std::isfinite(left) && gram.allFinite() && right.allFinite(); }
 };
@@ -58,6 +65,7 @@ Products products_of(const EffortEquation& equation) {
   products.gram = x.transpose() * x / whole;
   products.right = x.transpose() * left / whole;
   products.left = left.squaredNorm() / whole;
+  products.stretches = equation.stretches;
   return products;
 }
 
@@ -70,20 +78,32 @@ class Misfit {
   /// The best end of three descents: from the drawing, from what the efforts alone ask for, and
   /// from what few unknowns make of it. Tails as long as Cauchy's have several ends: few unknowns
   /// that are far off, or many that are a little.
-  double least() const {
+  EffortFit fit() const {
     const auto count = static_cast<Index>(unknowns_.size());
     const std::vector<double> alike(efforts_.size(), 1.0);
-    const VectorXd drawn = VectorXd::Zero(count),
-                   free = weighed(alike, VectorXd::Constant(count, kFree));
-    return std::min({descended(drawn), descended(free), descended(pursued())});
+    EffortFit best{-std::numeric_limits<double>::infinity(), 0.0, 0};
+    for (const VectorXd& start : {VectorXd(VectorXd::Zero(count)),
+                                  weighed(alike, VectorXd::Constant(count, kFree)), pursued()}) {
+      const VectorXd c = descended(start);
+      if (const double evidence = -value(c); evidence > best.evidence)
+        best = {evidence, left(c), 0};
+    }
+    best.efforts = static_cast<int>(efforts_.size());
+    return best;
   }
 
  private:
   double value(const VectorXd& c) const {
     double sum = 0.0;
-    for (const Products& effort : efforts_) sum -= evidence_of_share(effort.share(c));
+    for (const Products& effort : efforts_) sum -= effort.evidence(effort.share(c));
     for (Index k = 0; k < c.size(); ++k)
       sum += improbability(unknowns_[static_cast<std::size_t>(k)], c(k));
+    return sum;
+  }
+
+  double left(const VectorXd& c) const {
+    double sum = 0.0;
+    for (const Products& effort : efforts_) sum += effort.share(c);
     return sum;
   }
 
@@ -136,7 +156,7 @@ class Misfit {
 
   std::vector<double> slopes_at(const VectorXd& c) const {
     std::vector<double> slopes;
-    for (const Products& effort : efforts_) slopes.push_back(slope_at(effort.share(c)));
+    for (const Products& effort : efforts_) slopes.push_back(effort.slope_at(effort.share(c)));
     return slopes;
   }
 
@@ -182,24 +202,19 @@ class Misfit {
   }
 
   /// Each step minimises what touches value() here and lies above it everywhere.
-  double descended(VectorXd c) const {
+  VectorXd descended(VectorXd c) const {
     double now = value(c);
     for (int step = 0; step < kMostSteps; ++step) {
       VectorXd weights(c.size());
       for (Index k = 0; k < c.size(); ++k)
         weights(k) = weight_of(unknowns_[static_cast<std::size_t>(k)], c(k));
-      c = weighed(slopes_at(c), weights);
-      const double then = value(c);
-      if (!(then < now - 1e-2)) return std::min(then, now);
+      const VectorXd next = weighed(slopes_at(c), weights);
+      const double then = value(next);
+      if (then < now) c = next;
+      if (!(then < now - 1e-2)) break;
       now = then;
     }
-    return now;
-  }
-
-  /// Of -evidence_of_share().
-  static double slope_at(double share) {
-    const double step = 1e-3 * share + 1e-9;
-    return (evidence_of_share(share) - evidence_of_share(share + step)) / step;
+    return c;
   }
 
   std::vector<Products> efforts_;
@@ -208,15 +223,22 @@ class Misfit {
 
 }  // namespace
 
-double evidence_of(const std::vector<EffortEquation>& equations,
-                   const std::vector<Unknown>& unknowns) {
+EffortFit& EffortFit::operator+=(const EffortFit& other) {
+  evidence += other.evidence;
+  left += other.left;
+  efforts += other.efforts;
+  return *this;
+}
+
+EffortFit fit_of(const std::vector<EffortEquation>& equations,
+                 const std::vector<Unknown>& unknowns) {
   std::vector<Products> efforts;
   for (const EffortEquation& equation : equations) {
     if (!tells(equation)) continue;
     efforts.push_back(products_of(equation));
-    if (!efforts.back().is_finite()) return -std::numeric_limits<double>::infinity();
+    if (!efforts.back().is_finite()) return {-std::numeric_limits<double>::infinity(), 1.0, 1};
   }
-  return -Misfit(std::move(efforts), unknowns).least();
+  return Misfit(std::move(efforts), unknowns).fit();
 }
 
 }  // namespace sinew::diagnosis

@@ -20,6 +20,23 @@ void check_same(const Eigen::MatrixXd& made, const Eigen::MatrixXd& anew) {
 
 }  // namespace
 
+// Seen red with all of a log's stretches counted, whatever moves: 70 of at most 8.
+TEST_CASE("an effort tells as much as there is time in which its joint moves") {
+  const Mechanism arm = arm_of_five();
+  JudgedArm judged(arm);
+  diagnosis::Recording r = judged.slowly(draw_log(arm, 1, {}));
+  const Eigen::Index n = r.q.rows(), moving = n / 10, last = kArmJoints - 1;
+  r.q.col(last).tail(n - moving).setConstant(r.q(moving, last));
+  r.qd.col(last).tail(n - moving).setZero();
+  r.qdd.col(last).tail(n - moving).setZero();
+  std::vector<EffortParts> parts = judged.equations().parts_of(r);
+  for (EffortParts& p : parts) p.measured = p.said;
+  const std::vector<double> each = judged.equations().evidence_each(parts);
+  const double most = diagnosis::evidence_of_share(0.0);
+  CHECK(each.back() < 0.12 * most);
+  for (std::size_t i = 0; i + 1 < each.size(); ++i) CHECK(each[i] > 0.5 * most);
+}
+
 // Seen red with the links' columns left as they are, and with all of them times the pace squared.
 TEST_CASE("what a log's motion asks at another pace is told from what it asks at its own") {
   const Mechanism arm = arm_of_five();
