@@ -126,7 +126,7 @@ class DrivenPlant : public TrialPlant {
     std::vector<MatrixXd> columns;
     for (Index j = 0; j < n; ++j)
       columns.push_back(fitted_at(setup_.jointed.axes[static_cast<std::size_t>(j)],
-                                  motion.col(n + j), motion.col(2 * n + j), which));
+                                  motion.col(n + j), motion.col(2 * n + j), log.step, which));
     return columns;
   }
 

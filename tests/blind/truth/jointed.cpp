@@ -71,6 +71,23 @@ class Behind {
   bool settled_ = false;
 };
 
+// Of the range: docs/diagnosis_rules.md names them.
+constexpr double bristle_lengths[] = {1e-5, 1e-4, 1e-3, 1e-2};
+
+/// What bristles of one length hold back, less what friction does that turns at once.
+VectorXd late_turning(const AxisModel& model, const VectorXd& v, double step, double length) {
+  VectorXd late(v.size());
+  double bent = v.size() > 0 && v(0) < 0.0 ? -1.0 : 1.0;
+  for (Index k = 0; k < v.size(); ++k) {
+    const double side = v(k) < 0.0 ? -1.0 : 1.0;
+    bent = side + (bent - side) * std::exp(-std::abs(v(k)) * step / length);
+    const double full =
+        model.turning > 0.0 ? 2.0 / pi * std::atan(std::abs(v(k)) / model.turning) : 1.0;
+    late(k) = full * (bent - side);
+  }
+  return late;
+}
+
 }  // namespace
 
 Chain true_chain(const Chain& chain, const std::vector<Hidden>& hidden) {
@@ -258,10 +275,10 @@ Course in_closed_loop(const Jointed& jointed, const std::vector<Hidden>& hidden,
   return course;
 }
 
-MatrixXd fitted_at(const AxisModel& model, const VectorXd& v, const VectorXd& a, unsigned which) {
+MatrixXd fitted_at(const AxisModel& model, const VectorXd& v, const VectorXd& a, double step,
+                   unsigned which) {
   std::vector<VectorXd> columns;
   const auto side = [](double x) { return x < 0.0 ? -1.0 : 1.0; };
-  const double slow = 0.02 * model.top_speed;
   if (which & fits_inertia) columns.push_back(a);
   if (which & fits_viscous) columns.push_back(v);
   if (which & fits_coulomb)
@@ -269,7 +286,8 @@ MatrixXd fitted_at(const AxisModel& model, const VectorXd& v, const VectorXd& a,
         [&](double x) { return model.turning > 0.0 ? std::atan(x / model.turning) : side(x); }));
   if (which & fits_offset) columns.push_back(VectorXd::Ones(v.size()));
   if (which & fits_turning)
-    columns.push_back(v.unaryExpr([&](double x) { return std::tanh(x / slow) - side(x); }));
+    for (const double share : bristle_lengths)
+      columns.push_back(late_turning(model, v, step, 2.0 * model.range * share));
   MatrixXd all(v.size(), static_cast<Index>(columns.size()));
   for (std::size_t i = 0; i < columns.size(); ++i) all.col(static_cast<Index>(i)) = columns[i];
   return all;

@@ -58,7 +58,8 @@ void offer_links(const Jointed& jointed, bool products, std::vector<Offer>& offe
 void offer_gravity(const Jointed& jointed, std::vector<Offer>& offers);
 
 /// Columns that are fitted with every model at an axis, along a smoothed motion.
-MatrixXd fitted_at(const AxisModel& model, const VectorXd& v, const VectorXd& a, unsigned which);
+MatrixXd fitted_at(const AxisModel& model, const VectorXd& v, const VectorXd& a, double step,
+                   unsigned which);
 /// How much the samples of a perfect position count.
 VectorXd in_motion(const VectorXd& q, double step);
 /// 18 Hz where what is left of the acceleration above is no more than twice what the noise of the

@@ -354,9 +354,9 @@ std::vector<MatrixXd> TendonPlant::fitted(const Log& log, unsigned which) const 
   const MatrixXd motion = smooth(log, 0, n), turning = m > 0 ? smooth(log, n, m) : MatrixXd();
   for (Index j = 0; j < n; ++j)
     all.push_back(fitted_at(s_.jointed.axes[static_cast<std::size_t>(j)], motion.col(n + j),
-                            motion.col(2 * n + j), which));
+                            motion.col(2 * n + j), log.step, which));
   for (Index i = 0; i < m; ++i)
-    all.push_back(fitted_at(s_.motor, turning.col(m + i), turning.col(2 * m + i), which));
+    all.push_back(fitted_at(s_.motor, turning.col(m + i), turning.col(2 * m + i), log.step, which));
   return all;
 }
 
