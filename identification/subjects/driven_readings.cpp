@@ -89,8 +89,17 @@ class DrivenJudge {
 
   std::vector<EffortParts> parts_of(const ColumnReading& reading) const {
     const Recording read = columns_.read_as(&reading);
-    return has_the_motion(reading) ? equations_.parts_of(read, *motion_)
-                                   : equations_.parts_of(read);
+    std::vector<EffortParts> parts =
+        has_the_motion(reading) ? equations_.parts_of(read, *motion_) : equations_.parts_of(read);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      // Other columns in the place of positions move more, and tell no more of an effort for that.
+      parts[i].moving = std::min(parts[i].moving, parts_[i].moving);
+      // Forces that pull against each other make a small torque: another column in the place of one
+      // makes a large one, of which more is left over, whatever share of it that is.
+      if (reading.other >= 0 && static_cast<Index>(i) < equations_.by_tendons())
+        parts[i].usual = spread(parts_[i].measured);
+    }
+    return parts;
   }
 
   /// Whether positions and loads are those of the log, at whatever pace.
@@ -105,6 +114,11 @@ class DrivenJudge {
            (is_effort(reading.column) && (reading.other < 0 || is_effort(reading.other)));
   }
 
+  /// Standard deviation.
+  static double spread(const VectorXd& x) {
+    return std::sqrt((x.array() - x.mean()).square().mean());
+  }
+
   static double left(const EffortFit& fit) {
     return std::sqrt(fit.left / std::max(1, fit.efforts));
   }
@@ -113,10 +127,8 @@ class DrivenJudge {
   /// suits it best.
   double most(const ColumnReading& reading) const {
     double sum = 0.0;
-    for (Index i = 0; i < equations_.measured(); ++i) {
-      const double best = reading.other < 0 ? explained(i) : evidence_of_share(0.0);
-      sum += touches(reading, i) ? best : each_[static_cast<std::size_t>(i)];
-    }
+    for (Index i = 0; i < equations_.measured(); ++i)
+      sum += touches(reading, i) ? explained(i) : each_[static_cast<std::size_t>(i)];
     return sum;
   }
 
