@@ -18,7 +18,7 @@ void describe_elasticity(Effect& e) {
 /// acceleration at rest against the load's, were that let go.
 GiNaC::ex twisting(const GiNaC::ex& pull, Effect& e) {
   const EffectSignals& s = effect_signals();
-  const GiNaC::ex w = e.shape("natural_frequency", "rad/s", Scale::none, 10.0, 400.0, 6);
+  const GiNaC::ex w = e.shape("natural_frequency", "rad/s", Scale::none, 10.0, 400.0, 40);
   e.shapes.back().inside = true;
   const GiNaC::ex damping = e.shape("damping_ratio", "1", Scale::none, 0.01, 0.4, 1);
   e.shapes.back().inside = true;
