@@ -252,28 +252,28 @@ EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usu
   return equation;
 }
 
-EffortFit DrivenEquations::fit_alone(const std::vector<EffortParts>& parts, std::size_t i) const {
+double DrivenEquations::evidence_alone(const std::vector<EffortParts>& parts, std::size_t i) const {
   std::vector<Unknown> unknowns = unknowns_of_links(parts[i].links.cols());
   const double asked = usual(parts, i);
   const EffortEquation equation =
       equation_of(parts[i], asked, expected_drive(static_cast<Index>(i), asked), unknowns);
-  return fit_of({equation}, unknowns);
+  return evidence_of({equation}, unknowns);
 }
 
 std::vector<double> DrivenEquations::evidence_each(const std::vector<EffortParts>& parts) const {
   std::vector<double> all;
-  for (std::size_t i = 0; i < parts.size(); ++i) all.push_back(fit_alone(parts, i).evidence);
+  for (std::size_t i = 0; i < parts.size(); ++i) all.push_back(evidence_alone(parts, i));
   return all;
 }
 
 /// Efforts have nothing in common but the links.
-EffortFit DrivenEquations::fit(const std::vector<EffortParts>& parts) const {
-  EffortFit sum;
+double DrivenEquations::evidence(const std::vector<EffortParts>& parts) const {
+  double sum = 0.0;
   std::vector<Unknown> unknowns;
   std::vector<EffortEquation> joined;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].links.cols() == 0) {
-      sum += fit_alone(parts, i);
+      sum += evidence_alone(parts, i);
       continue;
     }
     if (joined.empty()) unknowns = unknowns_of_links(parts[i].links.cols());
@@ -281,7 +281,7 @@ EffortFit DrivenEquations::fit(const std::vector<EffortParts>& parts) const {
     joined.push_back(
         equation_of(parts[i], asked, expected_drive(static_cast<Index>(i), asked), unknowns));
   }
-  return joined.empty() ? sum : sum += fit_of(joined, unknowns);
+  return joined.empty() ? sum : sum + evidence_of(joined, unknowns);
 }
 
 }  // namespace sinew::diagnosis

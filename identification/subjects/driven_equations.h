@@ -56,7 +56,7 @@ class DrivenEquations {
   /// Of each measured effort: its log likelihood alone, all unknowns being what suits it best.
   std::vector<double> evidence_each(const std::vector<EffortParts>& parts) const;
   /// Of all, with what they have in common.
-  EffortFit fit(const std::vector<EffortParts>& parts) const;
+  double evidence(const std::vector<EffortParts>& parts) const;
 
  private:
   struct Said;
@@ -70,7 +70,7 @@ class DrivenEquations {
   double expected_drive(Eigen::Index i, double usual) const;
   EffortEquation equation_of(const EffortParts& parts, double usual, double drive,
                              std::vector<Unknown>& unknowns) const;
-  EffortFit fit_alone(const std::vector<EffortParts>& parts, std::size_t i) const;
+  double evidence_alone(const std::vector<EffortParts>& parts, std::size_t i) const;
 
   const DrivenModel& model_;
   const EffortModel& effort_;

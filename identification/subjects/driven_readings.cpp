@@ -55,9 +55,7 @@ class DrivenJudge {
     motion_ = equations.logged(as_logged);
     parts_ = equations.parts_of(as_logged, *motion_);
     each_ = equations.evidence_each(parts_);
-    const EffortFit fit = equations.fit(parts_);
-    as_it_is_ = fit.evidence;
-    left_now_ = left(fit);
+    as_it_is_ = equations.evidence(parts_);
   }
 
   std::optional<ColumnReading> other_reading() const {
@@ -68,38 +66,43 @@ class DrivenJudge {
     if (!is_worth_reading(could_be - as_it_is_, all)) return std::nullopt;
     add_free_factors(all);
     all.push_back(clock());
-    return likelier_reading(all, as_it_is_otherwise(all),
-                            [&](const ColumnReading& reading, double needed) {
-                              const double limit = most(reading);
-                              return limit < needed ? limit : evidence(reading);
-                            });
+    std::optional<ColumnReading> found = likelier_reading(
+        all, as_it_is_otherwise(all), [&](const ColumnReading& reading, double needed) {
+          const double limit = most(reading);
+          return limit < needed ? limit : evidence(reading);
+        });
+    if (found && is_sign(*found)) add_other_signs(all, *found);
+    return found;
   }
 
-  /// Share of the efforts' standard deviation that the model leaves over with what the machine may
-  /// have otherwise: as the log is, and as it may have been meant.
-  double left_now() const { return left_now_; }
-  double left_by(const ColumnReading& reading) const {
-    return left(equations_.fit(parts_of(reading)));
-  }
+  double left_now() const { return left(parts_); }
+  double left_by(const ColumnReading& reading) const { return left(parts_of(reading)); }
 
  private:
   double evidence(const ColumnReading& reading) const {
-    return equations_.fit(parts_of(reading)).evidence;
+    return equations_.evidence(parts_of(reading));
   }
 
   std::vector<EffortParts> parts_of(const ColumnReading& reading) const {
     const Recording read = columns_.read_as(&reading);
     std::vector<EffortParts> parts =
         has_the_motion(reading) ? equations_.parts_of(read, *motion_) : equations_.parts_of(read);
+    if (!exchanges_unlike(reading)) return parts;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      // Other columns in the place of positions move more, and tell no more of an effort for that.
+      // What is no position in the place of one moves more, and tells no more of an effort for
+      // that.
       parts[i].moving = std::min(parts[i].moving, parts_[i].moving);
-      // Forces that pull against each other make a small torque: another column in the place of one
-      // makes a large one, of which more is left over, whatever share of it that is.
-      if (reading.other >= 0 && static_cast<Index>(i) < equations_.by_tendons())
+      // Forces that pull against each other make a small torque: what is no force in the place of
+      // one makes a large one, of which more is left over, whatever share of it that is.
+      if (static_cast<Index>(i) < equations_.by_tendons())
         parts[i].usual = spread(parts_[i].measured);
     }
     return parts;
+  }
+
+  bool exchanges_unlike(const ColumnReading& reading) const {
+    return reading.other >= 0 &&
+           columns_.role_of(reading.column).quantity != columns_.role_of(reading.other).quantity;
   }
 
   /// Whether positions and loads are those of the log, at whatever pace.
@@ -119,16 +122,26 @@ class DrivenJudge {
     return std::sqrt((x.array() - x.mean()).square().mean());
   }
 
-  static double left(const EffortFit& fit) {
-    return std::sqrt(fit.left / std::max(1, fit.efforts));
+  /// Share of the efforts' standard deviation that the model leaves over as it stands.
+  static double left(const std::vector<EffortParts>& parts) {
+    double total = 0.0;
+    for (const EffortParts& p : parts) {
+      const VectorXd e = p.measured - p.said;
+      if (const double whole = spread(p.measured); whole > 0.0)
+        total += std::pow(spread(e) / whole, 2.0);
+    }
+    return std::sqrt(total / static_cast<double>(parts.size()));
   }
 
   /// No reading can do better than explain all efforts that it touches, the others each by what
   /// suits it best.
   double most(const ColumnReading& reading) const {
     double sum = 0.0;
-    for (Index i = 0; i < equations_.measured(); ++i)
-      sum += touches(reading, i) ? explained(i) : each_[static_cast<std::size_t>(i)];
+    const bool may_move_more = reading.other >= 0 && !exchanges_unlike(reading);
+    for (Index i = 0; i < equations_.measured(); ++i) {
+      const double best = may_move_more ? evidence_of_share(0.0) : explained(i);
+      sum += touches(reading, i) ? best : each_[static_cast<std::size_t>(i)];
+    }
     return sum;
   }
 
@@ -152,6 +165,21 @@ class DrivenJudge {
   }
 
   // ---- how it may have been written
+
+  static bool is_sign(const ColumnReading& reading) {
+    return reading.factor == -1.0 && reading.other < 0 && !reading.all;
+  }
+
+  /// A lone drive that turns the other way and one that pulls the other way are one log.
+  void add_other_signs(const std::vector<ColumnReading>& all, ColumnReading& found) const {
+    constexpr double kAlike = 0.1;  // of log likelihood: rounding's and a filter's
+    const double own = evidence(found);
+    for (const ColumnReading& other : all)
+      if (is_sign(other) && other.column != found.column &&
+          std::abs(evidence(other) - own) < kAlike)
+        found.meaning += fmt::format(", or that of '{}'",
+                                     log_.channels[static_cast<std::size_t>(other.column)].name);
+  }
 
   std::vector<ColumnReading> known_slips_of_all() const {
     std::vector<ColumnReading> all;
@@ -295,7 +323,7 @@ class DrivenJudge {
   std::shared_ptr<const DrivenEquations::Logged> motion_;
   std::vector<EffortParts> parts_;  ///< as the log is
   std::vector<double> each_;
-  double as_it_is_ = 0.0, left_now_ = 0.0;
+  double as_it_is_ = 0.0;
 };
 
 }  // namespace

@@ -80,18 +80,12 @@ class Misfit {
   /// The best end of three descents: from the drawing, from what the efforts alone ask for, and
   /// from what few unknowns make of it. Tails as long as Cauchy's have several ends: few unknowns
   /// that are far off, or many that are a little.
-  EffortFit fit() const {
+  double least() const {
     const auto count = static_cast<Index>(unknowns_.size());
     const std::vector<double> alike(efforts_.size(), 1.0);
-    EffortFit best{-std::numeric_limits<double>::infinity(), 0.0, 0};
-    for (const VectorXd& start : {VectorXd(VectorXd::Zero(count)),
-                                  weighed(alike, VectorXd::Constant(count, kFree)), pursued()}) {
-      const VectorXd c = descended(start);
-      if (const double evidence = -value(c); evidence > best.evidence)
-        best = {evidence, left(c), 0};
-    }
-    best.efforts = static_cast<int>(efforts_.size());
-    return best;
+    const VectorXd drawn = VectorXd::Zero(count),
+                   free = weighed(alike, VectorXd::Constant(count, kFree));
+    return std::min({descended(drawn), descended(free), descended(pursued())});
   }
 
  private:
@@ -100,12 +94,6 @@ class Misfit {
     for (const Products& effort : efforts_) sum -= effort.evidence(effort.share(c));
     for (Index k = 0; k < c.size(); ++k)
       sum += improbability(unknowns_[static_cast<std::size_t>(k)], c(k));
-    return sum;
-  }
-
-  double left(const VectorXd& c) const {
-    double sum = 0.0;
-    for (const Products& effort : efforts_) sum += effort.share(c);
     return sum;
   }
 
@@ -204,19 +192,18 @@ class Misfit {
   }
 
   /// Each step minimises what touches value() here and lies above it everywhere.
-  VectorXd descended(VectorXd c) const {
+  double descended(VectorXd c) const {
     double now = value(c);
     for (int step = 0; step < kMostSteps; ++step) {
       VectorXd weights(c.size());
       for (Index k = 0; k < c.size(); ++k)
         weights(k) = weight_of(unknowns_[static_cast<std::size_t>(k)], c(k));
-      const VectorXd next = weighed(slopes_at(c), weights);
-      const double then = value(next);
-      if (then < now) c = next;
-      if (!(then < now - 1e-2)) break;
+      c = weighed(slopes_at(c), weights);
+      const double then = value(c);
+      if (!(then < now - 1e-2)) return std::min(then, now);
       now = then;
     }
-    return c;
+    return now;
   }
 
   std::vector<Products> efforts_;
@@ -225,22 +212,15 @@ class Misfit {
 
 }  // namespace
 
-EffortFit& EffortFit::operator+=(const EffortFit& other) {
-  evidence += other.evidence;
-  left += other.left;
-  efforts += other.efforts;
-  return *this;
-}
-
-EffortFit fit_of(const std::vector<EffortEquation>& equations,
-                 const std::vector<Unknown>& unknowns) {
+double evidence_of(const std::vector<EffortEquation>& equations,
+                   const std::vector<Unknown>& unknowns) {
   std::vector<Products> efforts;
   for (const EffortEquation& equation : equations) {
     if (!tells(equation)) continue;
     efforts.push_back(products_of(equation));
-    if (!efforts.back().is_finite()) return {-std::numeric_limits<double>::infinity(), 1.0, 1};
+    if (!efforts.back().is_finite()) return -std::numeric_limits<double>::infinity();
   }
-  return Misfit(std::move(efforts), unknowns).fit();
+  return -Misfit(std::move(efforts), unknowns).least();
 }
 
 }  // namespace sinew::diagnosis

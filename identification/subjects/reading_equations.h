@@ -37,17 +37,9 @@ struct EffortEquation {
   std::vector<Term> terms;
 };
 
-/// Efforts with the unknowns that make them likeliest.
-struct EffortFit {
-  double evidence = 0.0;  ///< log likelihood, the unknowns' probability included
-  double left = 0.0;      ///< shares of the efforts' variances that are left over, added up
-  int efforts = 0;        ///< of which these shares are
-
-  EffortFit& operator+=(const EffortFit& other);
-};
-
-/// Minus infinity is the evidence where something is not finite.
-EffortFit fit_of(const std::vector<EffortEquation>& equations,
-                 const std::vector<Unknown>& unknowns);
+/// Largest log likelihood of the efforts together with the probability of the unknowns. Minus
+/// infinity where something is not finite.
+double evidence_of(const std::vector<EffortEquation>& equations,
+                   const std::vector<Unknown>& unknowns);
 
 }  // namespace sinew::diagnosis

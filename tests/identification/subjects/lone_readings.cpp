@@ -155,6 +155,9 @@ TEST_CASE("a reversed sign of a single joint, or its two columns exchanged, is t
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].severity == Severity::stop);
     CHECK(faults[0].kind == kind);
+    // What is reversed is not to be told. Seen red without add_other_signs().
+    if (kind == FaultKind::reversed_sign)
+      CHECK(faults[0].meaning.find("or that of 'tau_") != std::string::npos);
   }
 }
 
