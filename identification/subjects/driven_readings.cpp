@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -69,7 +70,7 @@ class DrivenJudge {
     std::optional<ColumnReading> found = likelier_reading(
         all, as_it_is_otherwise(all), [&](const ColumnReading& reading, double needed) {
           const double limit = most(reading);
-          return limit < needed ? limit : evidence(reading);
+          return limit < needed ? limit : evidence_of_told(reading);
         });
     if (found && is_sign(*found)) add_other_signs(all, *found);
     return found;
@@ -79,6 +80,14 @@ class DrivenJudge {
   double left_by(const ColumnReading& reading) const { return left(parts_of(reading)); }
 
  private:
+  /// A reading that is told explains by itself what the log as it is does not, and not with the
+  /// machine's own values alone.
+  double evidence_of_told(const ColumnReading& reading) const {
+    const std::vector<EffortParts> parts = parts_of(reading);
+    return left(parts) < left(parts_) ? equations_.evidence(parts)
+                                      : -std::numeric_limits<double>::infinity();
+  }
+
   double evidence(const ColumnReading& reading) const {
     return equations_.evidence(parts_of(reading));
   }
