@@ -220,7 +220,7 @@ double DrivenEquations::expected_drive(Index i, double usual) const {
 
 EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usual, double drive,
                                             std::vector<Unknown>& unknowns) const {
-  EffortEquation equation{parts.measured, parts.said, kStretches * parts.moving, parts.usual, {}};
+  EffortEquation equation{parts.measured, parts.said, kStretches * parts.moving, {}};
   for (Index k = 0; k < parts.links.cols(); ++k)
     equation.terms.push_back({static_cast<int>(k), parts.links.col(k)});
   const auto add = [&](const VectorXd& column, Unknown::Kind kind, double spread) {

@@ -3,7 +3,6 @@
 // likely defects say.
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -21,8 +20,7 @@ inline constexpr double kOwnConstant = 0.12;
 /// Of one measured effort, samples in which its coordinate moves.
 struct EffortParts {
   Eigen::VectorXd measured, said;
-  double moving = 0.0;  ///< share of the log's samples that these are
-  double usual = std::numeric_limits<double>::infinity();  ///< see EffortEquation
+  double moving = 0.0;      ///< share of the log's samples that these are
   Eigen::MatrixXd links;    ///< of each body, see RigidColumns::body_columns()
   Eigen::VectorXd load;     ///< what the logged load makes of `said`; empty: none is logged
   Eigen::MatrixXd drive;    ///< the rest of `said`: at rest, by acceleration, viscous, Coulomb

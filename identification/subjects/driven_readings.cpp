@@ -94,24 +94,8 @@ class DrivenJudge {
 
   std::vector<EffortParts> parts_of(const ColumnReading& reading) const {
     const Recording read = columns_.read_as(&reading);
-    std::vector<EffortParts> parts =
-        has_the_motion(reading) ? equations_.parts_of(read, *motion_) : equations_.parts_of(read);
-    if (!exchanges_unlike(reading)) return parts;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      // What is no position in the place of one moves more, and tells no more of an effort for
-      // that.
-      parts[i].moving = std::min(parts[i].moving, parts_[i].moving);
-      // Forces that pull against each other make a small torque: what is no force in the place of
-      // one makes a large one, of which more is left over, whatever share of it that is.
-      if (static_cast<Index>(i) < equations_.by_tendons())
-        parts[i].usual = spread(parts_[i].measured);
-    }
-    return parts;
-  }
-
-  bool exchanges_unlike(const ColumnReading& reading) const {
-    return reading.other >= 0 &&
-           columns_.role_of(reading.column).quantity != columns_.role_of(reading.other).quantity;
+    return has_the_motion(reading) ? equations_.parts_of(read, *motion_)
+                                   : equations_.parts_of(read);
   }
 
   /// Whether positions and loads are those of the log, at whatever pace.
@@ -146,9 +130,9 @@ class DrivenJudge {
   /// suits it best.
   double most(const ColumnReading& reading) const {
     double sum = 0.0;
-    const bool may_move_more = reading.other >= 0 && !exchanges_unlike(reading);
     for (Index i = 0; i < equations_.measured(); ++i) {
-      const double best = may_move_more ? evidence_of_share(0.0) : explained(i);
+      // Another column in the place of a position may move more.
+      const double best = reading.other < 0 ? explained(i) : evidence_of_share(0.0);
       sum += touches(reading, i) ? best : each_[static_cast<std::size_t>(i)];
     }
     return sum;

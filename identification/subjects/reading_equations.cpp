@@ -54,9 +54,7 @@ bool tells(const EffortEquation& equation) {
 }
 
 Products products_of(const EffortEquation& equation) {
-  const double whole =
-      std::min(centred(equation.measured).squaredNorm(),
-               equation.usual * equation.usual * static_cast<double>(equation.measured.size()));
+  const double whole = centred(equation.measured).squaredNorm();
   const VectorXd left = equation.measured - equation.said;
   MatrixXd x(left.size(), static_cast<Index>(equation.terms.size()));
   Products products;

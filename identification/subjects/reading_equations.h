@@ -4,7 +4,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
 #include <vector>
 
 namespace sinew::diagnosis {
@@ -27,9 +26,6 @@ struct Unknown {
 struct EffortEquation {
   Eigen::VectorXd measured, said;
   double stretches = 0.0;  ///< of time that these samples cover, see evidence_of_share()
-  /// Standard deviation that the shares left over are of, where that is less than what is measured
-  /// has.
-  double usual = std::numeric_limits<double>::infinity();
   struct Term {
     int unknown = 0;
     Eigen::VectorXd column;

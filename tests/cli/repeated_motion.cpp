@@ -62,7 +62,8 @@ json verdict_of(int rate_hz) {
 
 // Seen to fail: fourteen ripples of up to 22 times per motor turn were told of six motors, before
 // samples near a reversal told no order and lines had to gain in blocks that they are not fitted
-// to.
+// to. And where a reading of the columns may leave more over than the log: it is refused for two
+// forces exchanged.
 TEST_CASE("of motors that move always alike no ripple is told that is not there", "[slow]") {
   const json verdict = verdict_of(1000);
   CHECK(verdict.at("causes").empty());

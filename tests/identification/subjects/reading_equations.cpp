@@ -31,11 +31,7 @@ std::vector<Unknown> unknowns() {
 
 /// Columns that are alike, of which some are in the effort.
 EffortEquation drawn(sinew::reference::RandomNumbers& random) {
-  EffortEquation equation{VectorXd(kSamples),
-                          VectorXd::Zero(kSamples),
-                          kStretches,
-                          std::numeric_limits<double>::infinity(),
-                          {}};
+  EffortEquation equation{VectorXd(kSamples), VectorXd::Zero(kSamples), kStretches, {}};
   VectorXd common(kSamples);
   for (double& value : common) value = random.uniform(-1.0, 1.0);
   for (double& value : equation.measured) value = random.uniform(-0.1, 0.1);
@@ -90,19 +86,4 @@ TEST_CASE("few unknowns that are far off are found beside many that are a little
       best = std::max(best, evidence_with(equation, some));
     CHECK(evidence_of({equation}, unknowns()) > best - 0.5);
   }
-}
-
-// Seen red with shares of whatever is measured: the large effort, of which a twentieth is left
-// over, was the likelier one.
-TEST_CASE("what is left over counts by what the effort usually is") {
-  sinew::reference::RandomNumbers random(6);
-  EffortEquation small = drawn(random);
-  small.terms.clear();
-  EffortEquation large = small;
-  large.measured *= 20.0;
-  large.said = 0.95 * large.measured;
-  const VectorXd left = small.measured.array() - small.measured.mean();
-  large.usual = std::sqrt(left.squaredNorm() / double(kSamples));
-  small.said = 0.5 * small.measured;
-  CHECK(evidence_of({large}, {}) < evidence_of({small}, {}));
 }

@@ -60,8 +60,7 @@ double left_between(const Design& design, const Candidate& c, const VectorXd& on
 }
 
 /// Share of what is half-way between two points of the first shape's grid that both leave over, of
-/// most of them: the others at their first point. A law that turns no sooner than the model has
-/// nothing between.
+/// most of them: the others at their first point.
 double usually_left_between(const char* effect, int harmonics) {
   Problem problem;
   problem.channels = 1;
