@@ -77,7 +77,8 @@ std::vector<Entry> make_entries(const Hypotheses& all, const SmallErrors& errors
     }
     for (std::size_t e = first; e < entries.size(); ++e)
       entries[e].log_prior =
-          all.list[h].log_prior - std::log(static_cast<double>(entries.size() - first));
+          all.list[h].log_prior - std::log(static_cast<double>(entries.size() - first)) +
+          all.shapes[static_cast<std::size_t>(entries[e].shapes.front())].log_share;
   }
   tbb::parallel_for(0, static_cast<int>(entries.size()), [&](int i) {
     Entry& e = entries[static_cast<std::size_t>(i)];

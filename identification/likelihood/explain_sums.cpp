@@ -119,7 +119,7 @@ ExplainedSums explain_sums(const ReferenceColumns& reference, const LogSums& tra
   found.all = reference.hypotheses();
   found.moments = moments_of(training.columns, found.all);
   const int most = std::max(reference.settings().most_causes, reference.problem().channels);
-  search_slots(most, std::vector<bool>(found.all.list.size(), false), found);
+  search_slots({most, std::vector<bool>(found.all.list.size(), false), {}}, found);
   tell_causes(training, e);
   tell_unnamed(found, e.verdict.unexplained);
   list_ruled_out(found, e.verdict);

@@ -61,7 +61,7 @@ void ask_by_channel(const Beginning& other, const Searched& s, FoundSlots& found
     std::vector<SlotForm> forms = forms_at(s.design, found, best.forms, channel, false);
     forms.insert(forms.end(), others.begin(), others.end());
     noise_beside(forms, s, found);
-    grow_slots(s.most, s.banned, found);
+    grow_slots(s.allowed, found);
     fit_shapes(s.design, found);
     if (found.evidence > best.evidence) best = beginning_of(found);
   }

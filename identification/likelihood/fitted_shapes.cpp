@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "identification/likelihood/decision_constants.h"
+#include "identification/likelihood/shape_share.h"
 #include "identification/regression/refine.h"
 
 namespace sinew::diagnosis {
@@ -142,30 +143,36 @@ void fit_forms(const Design& design, const std::vector<SlotForm>& forms, FoundSl
 
 namespace {
 
-/// The shape of a fitted term: the grid's where it is one of its points, else one more.
-int shape_of(const Design& design, const Term& term, const Entry& e, Hypotheses& all) {
+/// The shape of a fitted term, the last ones of a model: the grid's where it is one of its points,
+/// else one more.
+int shape_of(const FittedModel& fitted, std::size_t at, const Entry& e, Hypotheses& all) {
+  const Term& term = fitted.model.terms[at];
   const int nearest = e.shapes.front();
   const VectorXd& known = all.shapes[static_cast<std::size_t>(nearest)].nonlinear;
   if (term.nonlinear.size() == 0 ||
       (e.shapes.size() == 1 && known.size() == term.nonlinear.size() &&
        (known - term.nonlinear).norm() <= 1e-3 * term.nonlinear.norm()))
     return nearest;
-  add_shape(design, e.hypothesis, term.nonlinear, all);
-  return all.list[static_cast<std::size_t>(e.hypothesis)].shapes.back();
+  add_shape(fitted.design, e.hypothesis, term.nonlinear, all);
+  // A secant's and a delay's parameter is its coefficient, whose prior is counted.
+  if (term.candidate->secant == 0.0 && term.candidate->kind != CandidateKind::delay)
+    all.shapes.back().log_share = log_share_of_step(fitted, at);
+  return static_cast<int>(all.shapes.size()) - 1;
 }
 
 }  // namespace
 
 void add_fitted_shapes(const Design& design, FoundSlots& found) {
   const std::size_t first = found.model.terms.size() - found.slots.entries.size();
-  const VectorXd coefficients = solve(stack(found.model, found.whitening.training)).coefficients;
+  const FittedModel fitted(design, found.whitening.training, found.model);
+  const VectorXd& coefficients = fitted.fit.coefficients;
   const std::vector<Index> column = first_columns(found.model);
   found.laws.clear();
   for (std::size_t i = 0; i < found.slots.entries.size(); ++i) {
     const Term& term = found.model.terms[first + i];
     const Entry& e = found.search->entries()[static_cast<std::size_t>(found.slots.entries[i])];
     if (term.deviation >= 0) continue;
-    const int shape = shape_of(design, term, e, found.all);
+    const int shape = shape_of(fitted, first + i, e, found.all);
     if (term.candidate->of_all_places)
       found.laws.push_back(
           {shape, coefficients.segment(column[first + i],

@@ -2,6 +2,7 @@
 #include "identification/likelihood/found_slots.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "identification/diagnosis/materiality.h"
@@ -30,12 +31,14 @@ VectorXd immaterial_variance(const Design& design, const Settings& settings, con
 
 namespace {
 
-Searched search_of(const Design& design, const Settings& settings, const FoundSlots& found) {
+Searched search_of(const Design& design, const Settings& settings, const FoundSlots& found,
+                   std::optional<double> share = {}) {
   // A machine whose drives are not in its model lacks four values a joint, and links' besides.
   constexpr int per_channel = 5;
-  return {design, immaterial_variance(design, settings, found.all.parts.base),
-          std::max(settings.most_causes, per_channel * design.problem().channels),
-          std::vector<bool>(found.all.list.size(), false)};
+  return {design,
+          immaterial_variance(design, settings, found.all.parts.base),
+          {std::max(settings.most_causes, per_channel * design.problem().channels),
+           std::vector<bool>(found.all.list.size(), false), share}};
 }
 
 /// The model with all of its own values free.
@@ -63,18 +66,22 @@ void take_errors(const Searched& s, FoundSlots& found) {
   make_moments(s.design, found);
 }
 
-}  // namespace
+/// What a search begins with.
+struct Known {
+  const Model& baseline;
+  const std::vector<SlotForm>& forms;
+  std::optional<double> share;  ///< of small errors; empty: any
+};
 
-std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
-                                       const Model& baseline, Rivals rivals,
-                                       const std::vector<SlotForm>& beginning) {
+std::unique_ptr<FoundSlots> found_from(const Design& design, const Settings& settings,
+                                       const Known& known, Rivals rivals) {
   auto found = std::make_unique<FoundSlots>();
-  found->all = make_hypotheses(design, baseline);
-  Searched s = search_of(design, settings, *found);
-  if (beginning.empty())
+  found->all = make_hypotheses(design, known.baseline);
+  Searched s = search_of(design, settings, *found, known.share);
+  if (known.forms.empty())
     first_noise(s, *found);
   else
-    noise_beside(beginning, s, *found);
+    noise_beside(known.forms, s, *found);
   const bool asked = rivals == Rivals::asked;
   if (asked && found->forms.empty())
     search_with_shapes(s, *found);
@@ -94,11 +101,29 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
   return found;
 }
 
+}  // namespace
+
+std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& settings,
+                                       const Model& baseline, Rivals rivals,
+                                       const std::vector<SlotForm>& beginning) {
+  auto found = found_from(design, settings, {baseline, beginning, {}}, rivals);
+  // Large errors in everything and the noise beside a poor explanation keep each other up: where
+  // the search has come to the former, it is done again with smaller ones held.
+  for (const double share : {kMiddleShare, kLeastShare}) {
+    if (!beginning.empty() || found->slots.entries.empty() || found->small_errors <= share)
+      continue;
+    auto other = found_from(design, settings, {baseline, beginning, share}, rivals);
+    if (!other->slots.entries.empty() && is_more_probable(*other, *found)) found = std::move(other);
+  }
+  return found;
+}
+
 void search_names_alone(const Design& design, const Settings& settings, FoundSlots& found) {
   Searched s = search_of(design, settings, found);
-  for (std::size_t h = 0; h < s.banned.size(); ++h) s.banned[h] = !found.all.list[h].named;
+  for (std::size_t h = 0; h < s.allowed.banned.size(); ++h)
+    s.allowed.banned[h] = !found.all.list[h].named;
   std::erase_if(found.forms, [&](const SlotForm& form) {
-    return s.banned[static_cast<std::size_t>(hypothesis_of(found.all, form))];
+    return s.allowed.banned[static_cast<std::size_t>(hypothesis_of(found.all, form))];
   });
   search_with_shapes(s, found);
 }

@@ -28,6 +28,7 @@ struct Shape {
   Eigen::VectorXd nonlinear;
   BandColumns columns;          ///< as Design::columns gives them
   std::vector<int> neighbours;  ///< shapes one step of the grid further
+  double log_share = 0.0;  ///< of its part of the prior, what the logs leave to it (shape_share.h)
 };
 
 /// All hypotheses of a problem beside a model of which only what is always free is fitted.

@@ -30,12 +30,12 @@ void make_moments(const Design& design, FoundSlots& found) {
 void search_under(Whitening noise, const Searched& s, FoundSlots& found) {
   found.whitening = std::move(noise);
   make_moments(s.design, found);
-  grow_slots(s.most, s.banned, found);
+  grow_slots(s.allowed, found);
   fit_shapes(s.design, found);
 }
 
 void grow_with_shapes(const Searched& s, FoundSlots& found) {
-  grow_slots(s.most, s.banned, found);
+  grow_slots(s.allowed, found);
   prefer_names(found);
   fit_shapes(s.design, found);
 }
@@ -43,10 +43,10 @@ void grow_with_shapes(const Searched& s, FoundSlots& found) {
 void search_with_shapes(Searched& s, FoundSlots& found) {
   constexpr int most_bans = 6;
   for (;;) {
-    search_slots(s.most, s.banned, found);
+    search_slots(s.allowed, found);
     fit_shapes(s.design, found);
     bool again = false;
-    while (s.bans < most_bans && ban_impossible(s.design, found, s.banned)) {
+    while (s.bans < most_bans && ban_impossible(s.design, found, s.allowed.banned)) {
       ++s.bans;
       again = true;
       grow_with_shapes(s, found);

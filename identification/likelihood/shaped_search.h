@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "identification/likelihood/found_slots.h"
+#include "identification/likelihood/slot_evidence.h"
 
 namespace sinew::diagnosis {
 
@@ -12,8 +13,7 @@ namespace sinew::diagnosis {
 struct Searched {
   const Design& design;
   Eigen::VectorXd floor;  ///< per channel, the variance of a sample that is not material
-  int most;               ///< slots
-  std::vector<bool> banned;
+  Allowed allowed;
   int bans = 0;
 };
 

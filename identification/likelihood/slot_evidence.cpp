@@ -14,7 +14,7 @@ namespace {
 
 // Shares by which everything may be off. Four decades are all between a simulator and a rough
 // model.
-constexpr double kShares[] = {1e-4, 3.2e-4, 1e-3, 3.2e-3, 1e-2};
+constexpr double kShares[] = {kLeastShare, 3.2e-4, kMiddleShare, 3.2e-3, 1e-2};
 
 /// log probability of the logs and odds of the slots under one noise and one share of small errors,
 /// up to what all of them have in common.
@@ -26,8 +26,7 @@ double evidence_of(const FoundSlots& found, const SmallErrors& errors, double sh
 }
 
 struct Grower {
-  int most;
-  const std::vector<bool>& banned;
+  const Allowed& allowed;
   FoundSlots& found;
 
   /// Searches one share; kept where it is the most probable so far. Its slots are where the next
@@ -35,7 +34,7 @@ struct Grower {
   bool try_share(int at, Slots& slots) {
     const double share = kShares[at];
     auto errors = std::make_unique<SmallErrors>(found.moments, found.all, share, found.laws);
-    auto by = std::make_unique<SlotSearch>(found.all, *errors, most, banned);
+    auto by = std::make_unique<SlotSearch>(found.all, *errors, allowed.most, allowed.banned);
     if (slots.entries.empty()) slots = slots_of_forms(found.all, *by, found.forms);
     slots = slots.entries.empty() ? by->find() : by->find(std::move(slots));
     const double evidence = evidence_of(found, *errors, share, slots);
@@ -57,11 +56,15 @@ int place_of_share(double share) {
 
 }  // namespace
 
-void grow_slots(int most, const std::vector<bool>& banned, FoundSlots& found) {
+void grow_slots(const Allowed& allowed, FoundSlots& found) {
   constexpr int count = static_cast<int>(std::size(kShares));
   found.evidence = -std::numeric_limits<double>::infinity();
-  Grower grower{most, banned, found};
+  Grower grower{allowed, found};
   Slots slots;
+  if (allowed.share) {
+    grower.try_share(place_of_share(*allowed.share), slots);
+    return;
+  }
   if (found.forms.empty()) {
     for (int at = 0; at < count; ++at) grower.try_share(at, slots);
     return;
@@ -96,8 +99,18 @@ void prefer_names(FoundSlots& found) {
     search.set_names_alone(false);
 }
 
-void search_slots(int most, const std::vector<bool>& banned, FoundSlots& found) {
-  grow_slots(most, banned, found);
+bool is_more_probable(const FoundSlots& one, const FoundSlots& other) {
+  const auto evidence = [](const FoundSlots& found) {
+    return evidence_of(found, *found.errors, found.small_errors, found.slots);
+  };
+  const bool is_named = one.search->are_named(one.slots);
+  if (is_named == other.search->are_named(other.slots)) return evidence(one) > evidence(other);
+  return is_named ? evidence(one) + one.search->may_lack(one.slots) >= evidence(other)
+                  : evidence(one) > evidence(other) + other.search->may_lack(other.slots);
+}
+
+void search_slots(const Allowed& allowed, FoundSlots& found) {
+  grow_slots(allowed, found);
   const Slots grown = found.slots;
   SlotSearch& search = *found.search;
   search.set_names_alone(true);

@@ -39,7 +39,7 @@ void add_inertia_behind(const GiNaC::ex& apart, Effect& e) {
 
 Effect inertial_backlash() {
   Effect e("inertial_backlash", "backlash");
-  const GiNaC::ex gap = e.shape("gap", "{position}", Scale::reach, 1e-4, 3e-2, 9);
+  const GiNaC::ex gap = e.shape("gap", "{position}", Scale::reach, 1e-4, 3e-2, 48);
   add_inertia_behind(add_gap(gap, 0, e), e);
   return e;
 }
@@ -58,7 +58,7 @@ Effect loaded_backlash() {
 Effect link_backlash() {
   Effect e("link_backlash", "backlash");
   const EffectSignals& s = effect_signals();
-  const GiNaC::ex gap = e.shape("gap", "{position}", Scale::reach, 1e-4, 3e-2, 24);
+  const GiNaC::ex gap = e.shape("gap", "{position}", Scale::reach, 1e-4, 3e-2, 60);
   const GiNaC::ex apart = add_gap(gap, s.parting - s.acceleration, e);
   // 1 where all the links hang behind the gap and weigh what the model says.
   e.column("share_behind_gap", "1", Sign::negative, s.carried_inertia * apart).most = 1.5;

@@ -7,6 +7,7 @@
 
 #include "identification/likelihood/fitted_baseline.h"
 #include "identification/likelihood/form_errors_of_found.h"
+#include "identification/likelihood/slot_evidence.h"
 #include "tests/identification/likelihood/drive_stretches.h"
 
 namespace {
@@ -93,4 +94,34 @@ TEST_CASE("a search of names alone leaves structure out, in its rivals too", "[s
   for (const int entry : named.entries) CHECK(s.is_named(entry));
   REQUIRE_FALSE(named.entries.empty());
   for (const Rival& rival : search.rivals(named, 0)) CHECK(s.is_named(rival.entry));
+}
+
+// Seen red with a share that is not looked at.
+TEST_CASE("small errors that are held are the search's", "[slow]") {
+  const DriveSearch s("viscous asymmetry", 20.0, 41);
+  FoundSlots& found = *s.found;
+  const double any = found.small_errors;
+  for (const double share : {kMiddleShare, kLeastShare}) {
+    grow_slots({3, std::vector<bool>(found.all.list.size(), false), share}, found);
+    CHECK(found.small_errors == share);
+  }
+  grow_slots({3, std::vector<bool>(found.all.list.size(), false), {}}, found);
+  CHECK(found.small_errors == any);
+}
+
+// Seen red with evidence alone, and with the names' tolerance given to structure.
+TEST_CASE("of two searches' ends names may lack what their forms are off by", "[slow]") {
+  const DriveSearch bump("bump in position", 2.0, 77), names("bump in position", 2.0, 77);
+  search_names_alone(names.design, names.drive.settings, *names.found);
+  REQUIRE_FALSE(bump.found->search->are_named(bump.found->slots));
+  REQUIRE(names.found->search->are_named(names.found->slots));
+  const double lack = names.found->search->may_lack(names.found->slots);
+  const double less = bump.found->slots.log_posterior - names.found->slots.log_posterior;
+  REQUIRE(lack > 0.0);
+  CHECK(less > lack);
+  CHECK(is_more_probable(*bump.found, *names.found));
+  CHECK_FALSE(is_more_probable(*names.found, *bump.found));
+  names.found->slots.log_posterior += less - 0.5 * lack;
+  CHECK(is_more_probable(*names.found, *bump.found));
+  CHECK_FALSE(is_more_probable(*bump.found, *names.found));
 }
