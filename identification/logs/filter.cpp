@@ -132,12 +132,30 @@ MatrixXd filter_decimate(const DecimatingFilter& filter, const MatrixXd& x, doub
   return out;
 }
 
+namespace {
+
+/// A sample before the first or after the last one is as far to the other side of that one as its
+/// mirror image, as often as it takes.
+double mirrored(const Eigen::Ref<const VectorXd>& p, Index at) {
+  const Index last = p.size() - 1;
+  double offset = 0.0, sign = 1.0;
+  while (at < 0 || at > last) {
+    const Index end = at < 0 ? 0 : last;
+    offset += 2.0 * sign * p(end);
+    sign = -sign;
+    at = 2 * end - at;
+  }
+  return offset + sign * p(at);
+}
+
+}  // namespace
+
 Motion differentiate(const MatrixXd& position, double step, double cutoff_hz) {
   const double cutoff = std::min(0.5, 1.25 * cutoff_hz * step);
   // Transition from about 0.75 to 1.3 cutoff at 60 dB.
   const Index half = std::max<Index>(4, static_cast<Index>(std::ceil(2.5 / cutoff / 0.5)));
   const Index n = position.rows();
-  if (n <= half + 1) throw std::invalid_argument("differentiate: log shorter than the smoother");
+  if (n < 2) throw std::invalid_argument("differentiate: a log of one row has no rate");
   const VectorXd w0 = kernel(cutoff, half, 0.0, 0, Window::blackman),
                  w1 = kernel(cutoff, half, 0.0, 1, Window::blackman) / step,
                  w2 = kernel(cutoff, half, 0.0, 2, Window::blackman) / (step * step);
@@ -146,11 +164,7 @@ Motion differentiate(const MatrixXd& position, double step, double cutoff_hz) {
   tbb::parallel_for(0, static_cast<int>(position.cols()), [&](int c) {
     const auto p = position.col(c);
     VectorXd padded(n + 2 * half);
-    padded.segment(half, n) = p;
-    for (Index j = 1; j <= half; ++j) {
-      padded(half - j) = 2.0 * p(0) - p(j);
-      padded(half + n - 1 + j) = 2.0 * p(n - 1) - p(n - 1 - j);
-    }
+    for (Index j = 0; j < padded.size(); ++j) padded(j) = mirrored(p, j - half);
     for (Index k = 0; k < n; ++k) {
       const auto piece = padded.segment(k, w0.size());
       motion.q(k, c) = w0.dot(piece);

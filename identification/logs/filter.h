@@ -39,7 +39,8 @@ struct Motion {
 
 /// Zero-phase derivative smoother: position is convolved with a Blackman-windowed sinc that passes
 /// everything below cutoff_hz and with that kernel's first and second derivative. At the ends
-/// the position is continued by point reflection. position: samples x axes.
+/// the position is continued by point reflection, as often as a short log takes. position: samples,
+/// 2 at least, x axes. Throws std::invalid_argument.
 Motion differentiate(const Eigen::MatrixXd& position, double step, double cutoff_hz);
 
 }  // namespace sinew::diagnosis
