@@ -138,7 +138,8 @@ Hypotheses make_hypotheses(const Design& design, const Model& baseline) {
 void add_shape(const Design& design, int hypothesis, const VectorXd& nonlinear, Hypotheses& all) {
   Hypothesis& h = all.list[static_cast<std::size_t>(hypothesis)];
   h.shapes.push_back(static_cast<int>(all.shapes.size()));
-  all.shapes.push_back({hypothesis, nonlinear, columns_of(design, all, *h.source, nonlinear), {}, 0.0});
+  all.shapes.push_back(
+      {hypothesis, nonlinear, columns_of(design, all, *h.source, nonlinear), {}, 0.0});
 }
 
 Term term_of(const Hypotheses& all, int shape) {

@@ -12,8 +12,7 @@
 namespace sinew::diagnosis {
 namespace {
 
-// Shares by which everything may be off. Four decades are all between a simulator and a rough
-// model.
+// Shares by which everything may be off: all between a simulator and a rough model.
 constexpr double kShares[] = {kLeastShare, 3.2e-4, kMiddleShare, 3.2e-3, 1e-2};
 
 /// log probability of the logs and odds of the slots under one noise and one share of small errors,
