@@ -80,16 +80,12 @@ class DrivenJudge {
   double left_by(const ColumnReading& reading) const { return left(parts_of(reading)); }
 
  private:
-  /// Share of the efforts' standard deviation: what leaves more than half over explains nothing.
-  static constexpr double kMostLeft = 0.5;
-
-  /// A reading that is told explains by itself most of the efforts, and what the log as it is does
-  /// not, and not with the machine's own values alone.
+  /// A reading that is told explains by itself what the log as it is does not, and not with the
+  /// machine's own values alone.
   double evidence_of_told(const ColumnReading& reading) const {
     const std::vector<EffortParts> parts = parts_of(reading);
-    return left(parts) < std::min(kMostLeft, left(parts_))
-               ? equations_.evidence(parts)
-               : -std::numeric_limits<double>::infinity();
+    return left(parts) < left(parts_) ? equations_.evidence(parts)
+                                      : -std::numeric_limits<double>::infinity();
   }
 
   double evidence(const ColumnReading& reading) const {
