@@ -107,11 +107,11 @@ std::unique_ptr<FoundSlots> find_slots(const Design& design, const Settings& set
                                        const Model& baseline, Rivals rivals,
                                        const std::vector<SlotForm>& beginning) {
   auto found = found_from(design, settings, {baseline, beginning, {}}, rivals);
+  if (!beginning.empty() || found->slots.entries.empty() || found->small_errors <= kMiddleShare)
+    return found;
   // Large errors in everything and the noise beside a poor explanation keep each other up: where
   // the search has come to the former, it is done again with smaller ones held.
   for (const double share : {kMiddleShare, kLeastShare}) {
-    if (!beginning.empty() || found->slots.entries.empty() || found->small_errors <= share)
-      continue;
     auto other = found_from(design, settings, {baseline, beginning, share}, rivals);
     if (!other->slots.entries.empty() && is_more_probable(*other, *found)) found = std::move(other);
   }
