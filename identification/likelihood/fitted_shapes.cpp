@@ -143,8 +143,8 @@ void fit_forms(const Design& design, const std::vector<SlotForm>& forms, FoundSl
 
 namespace {
 
-/// The shape of a fitted term, the last ones of a model: the grid's where it is one of its points,
-/// else one more.
+/// The shape of the fitted term at a place in the model: the grid's where it is one of its points,
+/// else one more, with its share of the prior.
 int shape_of(const FittedModel& fitted, std::size_t at, const Entry& e, Hypotheses& all) {
   const Term& term = fitted.model.terms[at];
   const int nearest = e.shapes.front();
