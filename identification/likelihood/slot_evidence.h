@@ -17,8 +17,8 @@ struct Allowed {
 };
 
 /// The least share of small errors that is tried, and the one in the middle. A search that ends
-/// above the latter is done again: a measured drive ends poorly there, and a simulated one at 0.0003
-/// was told a second name when it was done again, too. No command calibrates it yet.
+/// above the latter is done again: a measured drive ends poorly there, and a simulated one at
+/// 0.0003 was told a second name when it was done again, too. No command calibrates it yet.
 inline constexpr double kLeastShare = 1e-4, kMiddleShare = 1e-3;
 
 /// Searches the moments of `found` at every share of small errors, or from its forms at the share
