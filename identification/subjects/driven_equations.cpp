@@ -18,6 +18,7 @@ using Eigen::VectorXd;
 // model is without at a motor or where it has no links: in shares of what it asks of such
 // coordinates.
 constexpr double kMassOrFriction = 0.1, kArm = 0.05, kDrive = 10.0;
+constexpr double kAny = 1e6;            // N m or N: whatever the efforts ask for
 constexpr double kFarFaster = 100.0;    // times the logged speed: there all friction has turned
 constexpr double kRounding = 1e-9;      // of what is usual: left of a difference
 constexpr std::size_t kMostLinks = 10;  // that are told apart: an arm's or a finger's, not a hand's
@@ -44,6 +45,11 @@ MatrixXd chebyshev(const VectorXd& q) {
   for (Index k = 2; k <= kCurve; ++k)
     curve.col(k) = 2.0 * x.cwiseProduct(curve.col(k - 1)) - curve.col(k - 2);
   return curve;
+}
+
+/// Whether the model has an inertia, viscous or Coulomb friction (0, 1, 2) of the coordinate.
+bool is_drawn(const EffortParts& parts, Index k, double usual) {
+  return rms(parts.drive.col(k + 1).array()) > kRounding * usual;
 }
 
 }  // namespace
@@ -236,7 +242,7 @@ EffortEquation DrivenEquations::equation_of(const EffortParts& parts, double usu
   for (Index k = 0; k < parts.own.cols(); ++k) {
     const double size = rms(parts.own.col(k).array());
     // An inertia that the model has is off by a share of itself. A friction's form is off as well.
-    const bool has = rms(parts.drive.col(k + 1).array()) > kRounding * usual;
+    const bool has = is_drawn(parts, k, usual);
     if (size > 0.0 && !(has && k == 0))
       add(parts.own.col(k) / size, Unknown::Kind::added, has ? kAnyway * usual : drive);
   }
@@ -257,7 +263,7 @@ double DrivenEquations::evidence_alone(const std::vector<EffortParts>& parts, st
   const double asked = usual(parts, i);
   const EffortEquation equation =
       equation_of(parts[i], asked, expected_drive(static_cast<Index>(i), asked), unknowns);
-  return evidence_of({equation}, unknowns);
+  return explained_by({equation}, unknowns).log_likelihood;
 }
 
 std::vector<double> DrivenEquations::evidence_each(const std::vector<EffortParts>& parts) const {
@@ -281,7 +287,24 @@ double DrivenEquations::evidence(const std::vector<EffortParts>& parts) const {
     joined.push_back(
         equation_of(parts[i], asked, expected_drive(static_cast<Index>(i), asked), unknowns));
   }
-  return joined.empty() ? sum : sum + evidence_of(joined, unknowns);
+  return joined.empty() ? sum : sum + explained_by(joined, unknowns).log_likelihood;
+}
+
+std::vector<double> DrivenEquations::left_as_drawn(const std::vector<EffortParts>& parts) const {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const EffortParts& p = parts[i];
+    EffortEquation equation{p.measured, p.said, kStretches * p.moving, {}};
+    std::vector<Unknown> unknowns;
+    for (Index k = 0; k < p.own.cols(); ++k) {
+      const double size = rms(p.own.col(k).array());
+      if (!(size > 0.0) || is_drawn(p, k, usual(parts, i))) continue;
+      equation.terms.push_back({static_cast<int>(unknowns.size()), p.own.col(k) / size});
+      unknowns.push_back({Unknown::Kind::added, kAny});
+    }
+    all.push_back(explained_by({equation}, unknowns).left.front());
+  }
+  return all;
 }
 
 }  // namespace sinew::diagnosis

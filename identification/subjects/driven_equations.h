@@ -55,6 +55,9 @@ class DrivenEquations {
   std::vector<double> evidence_each(const std::vector<EffortParts>& parts) const;
   /// Of all, with what they have in common.
   double evidence(const std::vector<EffortParts>& parts) const;
+  /// Share of each one's variance that is left over where the machine is as it is drawn, but for an
+  /// inertia and friction where the model is without: of these any.
+  std::vector<double> left_as_drawn(const std::vector<EffortParts>& parts) const;
 
  private:
   struct Said;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,7 @@ constexpr std::size_t kOfAnyKind = 30;  // columns, of which each may be exchang
 constexpr double kSilent = 1e9;         // a factor that leaves nothing of a column
 constexpr double kSlowest = 5.0;        // clock
 constexpr double kLeastClock = 1.4;     // less is what a machine's own values say, and no clock's
+constexpr double kMostLeft = 0.5;       // of the efforts' standard deviation: else no model of them
 constexpr int kClocks = 16;             // tried each way
 
 /// By how much a column is too large, by least squares beside what a drive may have of its own.
@@ -57,6 +59,7 @@ class DrivenJudge {
     parts_ = equations.parts_of(as_logged, *motion_);
     each_ = equations.evidence_each(parts_);
     as_it_is_ = equations.evidence(parts_);
+    as_drawn_ = evidence_of_shares(parts_, equations.left_as_drawn(parts_));
   }
 
   std::optional<ColumnReading> other_reading() const {
@@ -80,12 +83,27 @@ class DrivenJudge {
   double left_by(const ColumnReading& reading) const { return left(parts_of(reading)); }
 
  private:
-  /// A reading that is told explains by itself what the log as it is does not, and not with the
-  /// machine's own values alone.
+  /// A reading that is told explains by itself most of the efforts, and what the log as it is does
+  /// not, and not with what the machine may have otherwise alone.
   double evidence_of_told(const ColumnReading& reading) const {
     const std::vector<EffortParts> parts = parts_of(reading);
-    return left(parts) < left(parts_) ? equations_.evidence(parts)
-                                      : -std::numeric_limits<double>::infinity();
+    const std::vector<double> shares = equations_.left_as_drawn(parts);
+    const double left = std::reduce(shares.begin(), shares.end()) / double(shares.size());
+    return left < kMostLeft * kMostLeft &&
+                   is_worth_reading(evidence_of_shares(parts, shares) - as_drawn_, {reading})
+               ? equations_.evidence(parts)
+               : -std::numeric_limits<double>::infinity();
+  }
+
+  static double evidence_of_shares(const std::vector<EffortParts>& parts,
+                                   const std::vector<double>& shares) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < parts.size(); ++i) sum += evidence_of_effort(parts[i], shares[i]);
+    return sum;
+  }
+
+  static double evidence_of_effort(const EffortParts& parts, double left) {
+    return evidence_of_share(left, kStretches * parts.moving);
   }
 
   double evidence(const ColumnReading& reading) const {
@@ -140,7 +158,7 @@ class DrivenJudge {
 
   /// Log likelihood of an effort of which nothing is left over where its coordinate moves.
   double explained(Index i) const {
-    return evidence_of_share(0.0, kStretches * parts_[static_cast<std::size_t>(i)].moving);
+    return evidence_of_effort(parts_[static_cast<std::size_t>(i)], 0.0);
   }
 
   bool touches(const ColumnReading& reading, Index i) const {
@@ -317,6 +335,7 @@ class DrivenJudge {
   std::vector<EffortParts> parts_;  ///< as the log is
   std::vector<double> each_;
   double as_it_is_ = 0.0;
+  double as_drawn_ = 0.0;  ///< beside nothing but inertia and friction that the model is without
 };
 
 }  // namespace

@@ -78,15 +78,15 @@ class Misfit {
   /// The best end of three descents: from the drawing, from what the efforts alone ask for, and
   /// from what few unknowns make of it. Tails as long as Cauchy's have several ends: few unknowns
   /// that are far off, or many that are a little.
-  double least() const {
+  VectorXd likeliest() const {
     const auto count = static_cast<Index>(unknowns_.size());
     const std::vector<double> alike(efforts_.size(), 1.0);
     const VectorXd drawn = VectorXd::Zero(count),
                    free = weighed(alike, VectorXd::Constant(count, kFree));
-    return std::min({descended(drawn), descended(free), descended(pursued())});
+    const VectorXd ends[] = {descended(drawn), descended(free), descended(pursued())};
+    return *std::ranges::min_element(ends, {}, [&](const VectorXd& c) { return value(c); });
   }
 
- private:
   double value(const VectorXd& c) const {
     double sum = 0.0;
     for (const Products& effort : efforts_) sum -= effort.evidence(effort.share(c));
@@ -95,6 +95,7 @@ class Misfit {
     return sum;
   }
 
+ private:
   static double improbability(const Unknown& unknown, double c) {
     const bool lacks = unknown.kind == Unknown::Kind::share && c < 0.0;
     const double off = (lacks ? c / std::max(1e-9, 1.0 + c) : c) / unknown.spread;
@@ -190,18 +191,19 @@ class Misfit {
   }
 
   /// Each step minimises what touches value() here and lies above it everywhere.
-  double descended(VectorXd c) const {
+  VectorXd descended(VectorXd c) const {
     double now = value(c);
     for (int step = 0; step < kMostSteps; ++step) {
       VectorXd weights(c.size());
       for (Index k = 0; k < c.size(); ++k)
         weights(k) = weight_of(unknowns_[static_cast<std::size_t>(k)], c(k));
-      c = weighed(slopes_at(c), weights);
-      const double then = value(c);
-      if (!(then < now - 1e-2)) return std::min(then, now);
+      VectorXd next = weighed(slopes_at(c), weights);
+      const double then = value(next);
+      if (then < now) c = std::move(next);
+      if (!(then < now - 1e-2)) break;
       now = then;
     }
-    return now;
+    return c;
   }
 
   std::vector<Products> efforts_;
@@ -210,15 +212,25 @@ class Misfit {
 
 }  // namespace
 
-double evidence_of(const std::vector<EffortEquation>& equations,
-                   const std::vector<Unknown>& unknowns) {
+Explained explained_by(const std::vector<EffortEquation>& equations,
+                       const std::vector<Unknown>& unknowns) {
   std::vector<Products> efforts;
-  for (const EffortEquation& equation : equations) {
-    if (!tells(equation)) continue;
-    efforts.push_back(products_of(equation));
-    if (!efforts.back().is_finite()) return -std::numeric_limits<double>::infinity();
+  std::vector<std::size_t> at;
+  Explained explained{-std::numeric_limits<double>::infinity(),
+                      std::vector<double>(equations.size(), 1.0)};
+  for (std::size_t i = 0; i < equations.size(); ++i) {
+    if (!tells(equations[i])) continue;
+    efforts.push_back(products_of(equations[i]));
+    at.push_back(i);
+    if (!efforts.back().is_finite()) return explained;
   }
-  return -Misfit(std::move(efforts), unknowns).least();
+  const Misfit misfit(efforts, unknowns);
+  const VectorXd likeliest = misfit.likeliest();
+  explained.log_likelihood = -misfit.value(likeliest);
+  std::ranges::fill(explained.left, 0.0);
+  for (std::size_t e = 0; e < efforts.size(); ++e)
+    explained.left[at[e]] = efforts[e].share(likeliest);
+  return explained;
 }
 
 }  // namespace sinew::diagnosis

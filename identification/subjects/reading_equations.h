@@ -33,9 +33,14 @@ struct EffortEquation {
   std::vector<Term> terms;
 };
 
-/// Largest log likelihood of the efforts together with the probability of the unknowns. Minus
-/// infinity where something is not finite.
-double evidence_of(const std::vector<EffortEquation>& equations,
-                   const std::vector<Unknown>& unknowns);
+struct Explained {
+  double log_likelihood = 0.0;  ///< with the probability of the unknowns
+  std::vector<double> left;     ///< of each effort's variance; one that never changes: nothing
+};
+
+/// With the likeliest values of the unknowns. Minus infinity, and all left, where something is not
+/// finite.
+Explained explained_by(const std::vector<EffortEquation>& equations,
+                       const std::vector<Unknown>& unknowns);
 
 }  // namespace sinew::diagnosis
