@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "identification/diagnosis/confirmation.h"
+
 namespace sinew::diagnosis {
 
 namespace {
@@ -58,23 +60,13 @@ void drop_unconfirmed(Unexplained& rest) {
   rest.named_share = 1.0;
 }
 
-constexpr double kExcess = 3.0;  // what is left over is that many times the noise, and no noise
-
-/// What no fluke of the training logs is: it helps in their left-out blocks as well, or what they
-/// leave without it is far above the noise.
-bool is_plain(const NamedCause& cause) {
-  constexpr double kShare = 0.2, kOdds = 4.6;  // a hundred to one
-  return cause.log_odds > kOdds &&
-         (cause.cross_validated.low > kShare || cause.left_without > kExcess);
-}
-
 }  // namespace
 
 void confirm_on_held_out(Verdict& verdict) {
   drop_unconfirmed(verdict.unexplained);
   std::vector<NamedCause> kept;
   for (NamedCause& cause : verdict.causes) {
-    if (is_sure(cause.confirmed)) {
+    if (cause.stands || is_sure(cause.confirmed)) {
       kept.push_back(std::move(cause));
       continue;
     }

@@ -14,7 +14,8 @@ namespace sinew::diagnosis {
 /// What is named in another form is not ruled out.
 void merge_members(Verdict& verdict);
 
-/// Moves every cause that gains nothing on the held-out logs to what is ruled out. The other
+/// Moves every cause that gains nothing on the held-out logs, and does not stand beside them, to
+/// what is ruled out. The other
 /// causes keep the parameters that they were fitted with beside it. Where it is plain in the
 /// training logs, or where the held-out logs leave much more over, the logs disagree. Structure
 /// without a name that gains nothing there is not told.

@@ -56,6 +56,7 @@ struct NamedCause {
   /// Rms left in the training logs without it / with it, in the channel of the most; of a name that
   /// held-out logs refute.
   double left_without = 1.0;
+  bool stands = false;                        ///< though held-out logs cannot tell: confirmation.h
   std::vector<ParameterEstimate> parameters;  ///< of that term
   Separation separation;                      ///< where there is more than one member
 };

@@ -81,6 +81,7 @@ struct SearchedDesign {
   void name() {
     of_slot = name_slots(*found);
     adopted.model = named_model(design, *found, of_slot);
+    settle_nuisances(design, own_noise(design, adopted.model).weights, adopted.model);
     adopted.noise = own_noise(design, adopted.model);
     adopted.made = found->all.parts.made;
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "identification/diagnosis/confirmation.h"
 #include "identification/diagnosis/verdict_errors.h"
 #include "identification/likelihood/slot_verdict.h"
 #include "identification/regression/refine.h"
@@ -114,6 +115,14 @@ bool HeldOutJudge::gives_way(std::size_t term, NamedCause& cause, Selection& ado
   return false;
 }
 
+void HeldOutJudge::measure_alone(std::size_t term, NamedCause& cause, Selection& adopted) const {
+  adopted.noise = own_noise(design_, adopted.model);
+  measure(adopted, term, cause);
+  const auto [with, without] = compared(design_, adopted.model, term, adopted.noise.weights);
+  cause.left_without =
+      left_over(design_, without).cwiseQuotient(left_over(design_, with)).maxCoeff();
+}
+
 std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
                                                 Selection& adopted) const {
   std::vector<NamedCause> gone;
@@ -121,11 +130,12 @@ std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
   const std::size_t first = model.terms.size() - list.size();
   for (std::size_t i = 0; i < list.size(); ++i) list[i].confirmed = confirmed(model, first + i);
   const auto less_sure = [](const NamedCause& a, const NamedCause& b) {
+    if (a.stands != b.stands) return b.stands;
     return standard_errors_above_zero(a.confirmed) < standard_errors_above_zero(b.confirmed);
   };
   while (!design_.problem().holdout.empty() && !list.empty()) {
     const auto least = std::min_element(list.begin(), list.end(), less_sure);
-    if (is_sure(least->confirmed)) break;
+    if (least->stands || is_sure(least->confirmed)) break;
     const std::size_t term = first + static_cast<std::size_t>(least - list.begin());
     const VectorXd channels = channels_of(design_, model.terms[term]);
     const auto judge_others = [&](std::size_t but) {
@@ -137,11 +147,9 @@ std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
       judge_others(static_cast<std::size_t>(least - list.begin()));
       continue;
     }
-    adopted.noise = own_noise(design_, model);
-    measure(adopted, term, *least);
-    const auto [with, without] = compared(design_, model, term, adopted.noise.weights);
-    least->left_without =
-        left_over(design_, without).cwiseQuotient(left_over(design_, with)).maxCoeff();
+    measure_alone(term, *least, adopted);
+    least->stands = is_confirmed(*least);
+    if (least->stands) continue;
     gone.push_back(std::move(*least));
     list.erase(least);
     remove_term(design_, term, model);

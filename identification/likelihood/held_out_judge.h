@@ -19,8 +19,9 @@ class HeldOutJudge {
 
   /// Names with what they gain, largest gain first. `of_slot`: as name_slots() gives them, in the
   /// order of the last terms of `adopted`. What held-out logs do not confirm gives its place to the
-  /// next member of its set that they confirm, or leaves it, the least sure name first, and the
-  /// others are judged anew: of two that say nearly the same neither is sure beside the other.
+  /// next member of its set that they confirm, or leaves it unless it stands (confirmation.h), the
+  /// least sure name first, and the others are judged anew: of two that say nearly the same neither
+  /// is sure beside the other.
   std::vector<NamedCause> causes(const std::vector<NamedCause>& of_slot, Selection& adopted) const;
 
   /// Whether there is structure without a name, and none of it is told and confirmed by them. What
@@ -37,6 +38,8 @@ class HeldOutJudge {
   /// Of a slot without a name; none where they cannot say.
   std::optional<Gain> confirmed_structure(std::size_t slot) const;
   void measure(const Selection& selection, std::size_t term, NamedCause& cause) const;
+  /// And what is left over in the training logs without it.
+  void measure_alone(std::size_t term, NamedCause& cause, Selection& adopted) const;
   std::optional<Model> with_member(const Model& whole, std::size_t term,
                                    const RankedCause& member) const;
   /// Whether another member of its set is confirmed in its place, and has taken it; the first is

@@ -46,7 +46,7 @@ std::string disagreement_text(const Findings& f) {
     else if (!d.name.empty())
       parts.push_back(
           fmt::format("{} ({}) takes away {} of the squared error there in the training logs "
-                      "(cross-validated gain), and nothing sure in the held-out ones",
+                      "(cross-validated gain), and nothing in the held-out ones",
                       d.name, d.place, shown_share(d.in_training.share)));
     else
       parts.push_back(fmt::format(

@@ -55,10 +55,11 @@ Problem problem_of(const std::vector<Hidden>& hidden) {
   return problem;
 }
 
-/// Names that are told, and those of the terms that are left in the fit; how many times as much is
-/// left over without the names that are not told.
+/// Names that are told, since held-out logs confirm them or cannot tell, and those of the terms
+/// that are left in the fit; how many times as much is left over without the names that are not
+/// told.
 struct Judged {
-  std::vector<std::string> sure, fitted;
+  std::vector<std::string> sure, stand, fitted;
   double left_without = 1.0;
 };
 
@@ -73,6 +74,7 @@ Judged judged(const Problem& problem) {
     causes.emplace_back();
     causes.back().members.emplace_back();
     causes.back().members.front().name = c.name;
+    causes.back().log_odds = 100.0;
   }
   adopted.noise = own_noise(design, adopted.model);
   FoundSlots found;
@@ -80,6 +82,7 @@ Judged judged(const Problem& problem) {
   Judged result;
   for (const NamedCause& cause : HeldOutJudge(design, settings, found).causes(causes, adopted)) {
     if (is_sure(cause.confirmed)) result.sure.push_back(cause.members.front().name);
+    if (cause.stands) result.stand.push_back(cause.members.front().name);
     result.left_without = std::max(result.left_without, cause.left_without);
   }
   for (const Term& t : adopted.model.terms) result.fitted.push_back(t.candidate->name);
@@ -97,6 +100,20 @@ TEST_CASE("a name that held-out logs do not confirm is not left in the fit") {
   CHECK(j.fitted == Names{"payload"});
   // 0.3 beside a noise of 6e-4, less where both say the same. Seen red where it is not measured: 1.
   CHECK(j.left_without > 20.0);
+}
+
+// Seen red with no name standing: the logs disagreed. A slow held-out log tells a delay hardly.
+TEST_CASE("a plain name stands beside held-out logs that cannot tell, not against them") {
+  for (const double held_out : {0.03, -0.03}) {
+    Problem problem = problem_of({{"delay", 1.0, 0.03, held_out}});
+    problem.holdout.front().target.front() +=
+        1.5 * VectorXd::Random(problem.holdout.front().q.rows());
+    const Judged j = judged(problem);
+    INFO(held_out);
+    CHECK(j.sure.empty());
+    CHECK(j.stand == (held_out > 0.0 ? Names{"delay"} : Names{}));
+    CHECK(j.fitted == j.stand);
+  }
 }
 
 // Seen red with all that are not sure withdrawn at once: the spring alone was left.
@@ -125,6 +142,26 @@ TEST_CASE("a member of a set that held-out logs refute gives way to one that the
   REQUIRE(cause.members.size() == 1);
   CHECK(cause.members.front().name == "ripple");
   CHECK(found.selection.model.terms.back().candidate->name == "ripple");
+}
+
+// Seen red without settle_nuisances() of what was found: the softness is negative in the model that
+// held-out logs judge, and a delay was refuted for it.
+TEST_CASE("how friction turns keeps to its limits beside what was found") {
+  Problem problem = problem_of({{"payload", 1.0, 1.0, 1.0}});
+  Candidate softness = term("softness", 1.3);
+  softness.linear.front().low = 0.0;
+  softness.nonlinear = {{"width", "", 0.9, 1.1, 3, true}};
+  softness.columns = [](const Recording& r, int, const VectorXd& width) -> MatrixXd {
+    return (1.3 * width(0) * r.q.col(0).array()).cos();
+  };
+  for (auto* logs : {&problem.training, &problem.holdout})
+    logs->front().target.front() -=
+        0.2 * softness.columns(logs->front(), 0, VectorXd::Ones(1)).col(0);
+  problem.baseline = {softness};
+  const Explanation found = explain(problem, test::below_20_hz(), {});
+  REQUIRE_FALSE(found.verdict.causes.empty());
+  CHECK(found.verdict.causes.front().members.front().name == "payload");
+  for (const Term& t : found.selection.model.terms) CHECK(t.candidate->name != "softness");
 }
 
 // Seen red without leave_out_refuted() (explain.cpp): names were told as what the structure leaves.

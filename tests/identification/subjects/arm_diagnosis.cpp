@@ -178,8 +178,8 @@ TEST_CASE("a held-out log that is learnt from is refused") {
 }
 
 TEST_CASE("logs that disagree are a finding, and no noise", "[slow]") {
-  // Planted defects: with is_plain() (verdict.h) never true the first pair leaves "nothing over but
-  // noise", with kExcess (held_out_judgement.cpp) out of reach the second.
+  // Planted defects: with is_plain() (confirmation.h) never true the first pair leaves "nothing
+  // over but noise", with kExcess (confirmation.h) out of reach the second.
   const Mechanism arm = arm_of_five();
   Mechanism loaded = arm;
   loaded.bodies.back().mass *= 2.0;
