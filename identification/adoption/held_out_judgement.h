@@ -15,10 +15,9 @@ namespace sinew::diagnosis {
 void merge_members(Verdict& verdict);
 
 /// Moves every cause that gains nothing on the held-out logs, and does not stand beside them, to
-/// what is ruled out. The other
-/// causes keep the parameters that they were fitted with beside it. Where it is plain in the
-/// training logs, or where the held-out logs leave much more over, the logs disagree. Structure
-/// without a name that gains nothing there is not told.
+/// what is ruled out. The other causes keep the parameters that they were fitted with beside it.
+/// Where it is plain in the training logs, or where the held-out logs leave much more over, the
+/// logs disagree. Structure without a name that gains nothing there is not told.
 void confirm_on_held_out(Verdict& verdict);
 
 /// Adopted where there is a term, a held-out log, and a gain there whose interval lies above zero.

@@ -115,7 +115,7 @@ bool HeldOutJudge::gives_way(std::size_t term, NamedCause& cause, Selection& ado
   return false;
 }
 
-void HeldOutJudge::measure_alone(std::size_t term, NamedCause& cause, Selection& adopted) const {
+void HeldOutJudge::measure_unsure(std::size_t term, NamedCause& cause, Selection& adopted) const {
   adopted.noise = own_noise(design_, adopted.model);
   measure(adopted, term, cause);
   const auto [with, without] = compared(design_, adopted.model, term, adopted.noise.weights);
@@ -147,7 +147,7 @@ std::vector<NamedCause> HeldOutJudge::withdrawn(std::vector<NamedCause>& list,
       judge_others(static_cast<std::size_t>(least - list.begin()));
       continue;
     }
-    measure_alone(term, *least, adopted);
+    measure_unsure(term, *least, adopted);
     least->stands = is_confirmed(*least);
     if (least->stands) continue;
     gone.push_back(std::move(*least));

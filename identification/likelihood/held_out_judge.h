@@ -39,7 +39,7 @@ class HeldOutJudge {
   std::optional<Gain> confirmed_structure(std::size_t slot) const;
   void measure(const Selection& selection, std::size_t term, NamedCause& cause) const;
   /// And what is left over in the training logs without it.
-  void measure_alone(std::size_t term, NamedCause& cause, Selection& adopted) const;
+  void measure_unsure(std::size_t term, NamedCause& cause, Selection& adopted) const;
   std::optional<Model> with_member(const Model& whole, std::size_t term,
                                    const RankedCause& member) const;
   /// Whether another member of its set is confirmed in its place, and has taken it; the first is

@@ -41,7 +41,7 @@ std::string disagreement_text(const Findings& f) {
     if (!d.name.empty() && !(d.in_training.low > 0.0))
       parts.push_back(fmt::format(
           "without {} ({}) the training logs leave an rms residual {:.1f} times as large, and in "
-          "the held-out ones it takes away nothing sure",
+          "the held-out ones it takes away nothing",
           d.name, d.place, d.ratio));
     else if (!d.name.empty())
       parts.push_back(

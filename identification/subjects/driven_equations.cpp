@@ -2,6 +2,7 @@
 #include "identification/subjects/driven_equations.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "identification/logs/signal_relations.h"
@@ -18,7 +19,6 @@ using Eigen::VectorXd;
 // model is without at a motor or where it has no links: in shares of what it asks of such
 // coordinates.
 constexpr double kMassOrFriction = 0.1, kArm = 0.05, kDrive = 10.0;
-constexpr double kAny = 1e6;            // N m or N: whatever the efforts ask for
 constexpr double kFarFaster = 100.0;    // times the logged speed: there all friction has turned
 constexpr double kRounding = 1e-9;      // of what is usual: left of a difference
 constexpr std::size_t kMostLinks = 10;  // that are told apart: an arm's or a finger's, not a hand's
@@ -300,7 +300,7 @@ std::vector<double> DrivenEquations::left_as_drawn(const std::vector<EffortParts
       const double size = rms(p.own.col(k).array());
       if (!(size > 0.0) || is_drawn(p, k, usual(parts, i))) continue;
       equation.terms.push_back({static_cast<int>(unknowns.size()), p.own.col(k) / size});
-      unknowns.push_back({Unknown::Kind::added, kAny});
+      unknowns.push_back({Unknown::Kind::added, std::numeric_limits<double>::infinity()});
     }
     all.push_back(explained_by({equation}, unknowns).left.front());
   }

@@ -27,7 +27,7 @@ constexpr std::size_t kOfAnyKind = 30;  // columns, of which each may be exchang
 constexpr double kSilent = 1e9;         // a factor that leaves nothing of a column
 constexpr double kSlowest = 5.0;        // clock
 constexpr double kLeastClock = 1.4;     // less is what a machine's own values say, and no clock's
-constexpr double kMostLeft = 0.5;       // of the efforts' standard deviation: else no model of them
+constexpr double kMostLeft = 0.5;       // of the efforts' standard deviation: a definition
 constexpr int kClocks = 16;             // tried each way
 
 /// By how much a column is too large, by least squares beside what a drive may have of its own.

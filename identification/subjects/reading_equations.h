@@ -18,7 +18,7 @@ struct Unknown {
     added   ///< what a drawing may lack altogether, and never has too much of
   };
   Kind kind = Kind::drawn;
-  double spread = 1.0;
+  double spread = 1.0;  ///< infinity: any size is as likely
 };
 
 /// One measured effort: what is measured and what the model says of it (samples), and what an

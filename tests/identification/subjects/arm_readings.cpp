@@ -207,7 +207,7 @@ TEST_CASE("an arm whose efforts do what nothing explains is no faulty log", "[sl
       INFO(size << " of the efforts, seed " << seed);
       ArmLog log = draw_log(nominal, seed, {});
       for (Index c = 0; c < log.tau.cols(); ++c) {
-        const auto turn =
+        const Eigen::ArrayXd turn =
             5.0 * log.step *
             Eigen::ArrayXd::LinSpaced(log.tau.rows(), 0.0, double(log.tau.rows() - 1));
         const double spread =
