@@ -2,7 +2,9 @@
 // What the logged positions of driven joints show: the smooth motion, its derivatives, and the
 // errors of the sensors.
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "identification/logs/dequantise.h"
 #include "identification/logs/filter.h"
@@ -132,6 +134,10 @@ void DrivenSubject::add_sensor_errors(Recording& log) const {
     const double step = quantum_[static_cast<std::size_t>(c)];
     side.col(c) = side_of_play(reading.col(c), log.qd.col(c), step,
                                2e-3 * log.qd.col(c).cwiseAbs().maxCoeff());
+    const SensorSteps known = sensor_steps(reading.col(c));
+    if (known.step > 0.0)
+      steps.col(c) = reading.col(c) -
+                     consistent_motion(reading.col(c), known, log.step, smooth_cutoff(log.step));
     // More than that is motion, unless the motion is known to be smoother.
     if (!hides_acceleration(c))
       steps.col(c) = (steps.col(c).array().abs() < 0.55 * step).select(steps.col(c), 0.0);
@@ -146,11 +152,11 @@ void DrivenSubject::add_sensor_errors(Recording& log) const {
   add("steps", steps);
 }
 
-/// With steps as fine as any good encoder's over the range that the joint moves in.
+/// With steps as fine as any good drive has: 17 bits a turn, 10 um of a linear scale.
 bool DrivenSubject::fine_sensor(std::size_t joint) const {
-  constexpr double kFinest = 4e-5;
-  const LogScale s = scale(joint);
-  return quantum_[joint] < kFinest * (s.high - s.low);
+  constexpr double kFinestAngle = std::numbers::pi / (1 << 16), kFinestWay = 1e-5, kAsFitted = 1e-3;
+  const double finest = model_.joints[joint].revolute ? kFinestAngle : kFinestWay;
+  return quantum_[joint] <= (1.0 + kAsFitted) * finest;
 }
 
 /// Joints whose effort feels what is wrong with a joint's logged motion, itself among them; the

@@ -15,8 +15,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double calibration_cutoff = 15.0;  // Hz; a calibration is drawn slowly, counts are steps
-constexpr double coarse_count = 3.0;         // counts; finer steps are what a 12-bit sensor has
+constexpr double coarse_count = 3.0;  // counts; finer steps are what a 12-bit sensor has
+
+/// Highest frequency of the motion [Hz], at a sampling period [s]: a calibration is drawn slowly,
+/// counts are steps.
+double calibration_cutoff(double period) {
+  return std::min(15.0, 0.1 / period);
+}
 
 VectorXd column_of(const Log& log, const sinew::Segment& segment, const std::string& channel) {
   return segment.samples.col(log.channel(channel)).matrix();
@@ -42,7 +47,7 @@ Recording recording_of(const Log& log, const sinew::Segment& segment, const Obse
   r.time = VectorXd::LinSpaced(n, segment.start,
                                segment.start + log.period * static_cast<double>(n - 1));
   r.log_start = log.segments.front().start;
-  const double cutoff = std::min(calibration_cutoff, 0.1 / log.period);
+  const double cutoff = calibration_cutoff(log.period);
   add_reading("count", column_of(log, segment, "count"), 1.0, cutoff, r);
   const bool bent = log.channel("bend") >= 0;
   r.signals["bend"] = bent ? column_of(log, segment, "bend") : VectorXd::Zero(n);
@@ -58,8 +63,9 @@ Recording recording_of(const Log& log, const sinew::Segment& segment, const Obse
 }
 
 void complete_lever(ObservedSubject& subject, bool with_elongation) {
-  add_coarse_sensor(subject, {"count", "quantisation of the lever sensor", "sensor", coarse_count});
   const Problem& problem = subject.problem();
+  add_coarse_sensor(subject, {"count", "quantisation of the lever sensor", "sensor",
+                              calibration_cutoff(problem.training.front().step), coarse_count});
   const LogScale s = scale_of(problem.training, 0);
   for (int channel = 0; channel < (with_elongation ? 2 : 1); ++channel)
     for (Candidate& c :

@@ -42,17 +42,21 @@ void add_reading(const std::string& name, const VectorXd& reading, double resolu
 
 void add_coarse_sensor(ObservedSubject& subject, const CoarseSensor& sensor) {
   Problem& problem = subject.problem();
-  double step = problem.training.empty() ? 0.0 : 1e300;
-  for (const Recording& log : problem.training)
-    step = std::min(step, held_step(log.signals.at(sensor.reading).col(0)));
-  if (step < sensor.finest) return;
-  // What the model would say more, were the sensor not coarse. The reading between two changes is
-  // not causal: the model can hold no such term.
+  SensorSteps known;
+  for (const Recording& log : problem.training) {
+    known = sensor_steps(log.signals.at(sensor.reading).col(0));
+    if (known.step <= sensor.finest) return;
+  }
+  // What the model would say more, were the sensor not coarse. The motion between two steps is not
+  // causal: the model can hold no such term.
   const std::string key = "change by a coarse " + sensor.reading;
   for (auto* logs : {&problem.training, &problem.holdout})
     for (Recording& log : *logs) {
+      const VectorXd reading = log.signals.at(sensor.reading).col(0);
+      const SensorSteps own = sensor_steps(reading);
       std::map<std::string, MatrixXd> fine;
-      fine[sensor.reading] = dequantised(log.signals.at(sensor.reading).col(0));
+      fine[sensor.reading] =
+          consistent_motion(reading, own.step > 0.0 ? own : known, log.step, sensor.cutoff);
       log.signals[key] = subject.open()(log, subject.learnt(), subject.shapes(), &fine) -
                          subject.open()(log, subject.learnt(), subject.shapes());
     }

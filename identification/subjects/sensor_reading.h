@@ -19,10 +19,11 @@ void add_reading(const std::string& name, const Eigen::VectorXd& reading, double
 struct CoarseSensor {
   std::string reading;      ///< the signal
   std::string name, place;  ///< as a report says it
-  double finest = 0.0;      ///< in the reading's unit; finer steps do not show
+  double cutoff = 0.0;      ///< of the motion [Hz]
+  double finest = 0.0;      ///< in the reading's unit; no finer steps are told
 };
 
-/// Adds it to the library where all training logs have steps that are coarse. After prepare().
+/// Adds it to the library where all training logs have steps above the finest. After prepare().
 void add_coarse_sensor(ObservedSubject& subject, const CoarseSensor& sensor);
 
 }  // namespace sinew::diagnosis

@@ -17,9 +17,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double wrist_cutoff = 30.0;  // Hz
-constexpr double coarse_angle = 5e-4;  // rad; finer steps do not show
 constexpr const char* angles[] = {"q71", "q73"};
+
+/// Highest frequency of the motion [Hz], at a sampling period [s].
+double wrist_cutoff(double period) {
+  return std::min(30.0, 0.1 / period);
+}
 
 Recording recording_of(const Log& log, const sinew::Segment& segment,
                        const std::vector<int>& tendons) {
@@ -30,7 +33,7 @@ Recording recording_of(const Log& log, const sinew::Segment& segment,
                                segment.start + log.period * static_cast<double>(n - 1));
   r.log_start = log.segments.front().start;
   MatrixXd q(n, 2);
-  const double cutoff = std::min(wrist_cutoff, 0.1 / log.period);
+  const double cutoff = wrist_cutoff(log.period);
   for (Index j = 0; j < 2; ++j) {
     const int channel = log.channel(angles[j]);
     q.col(j) = segment.samples.col(channel).matrix();
@@ -82,8 +85,9 @@ void add_changing_pulleys(ObservedSubject& subject) {
 void complete_wrist(ObservedSubject& subject) {
   Problem& problem = subject.problem();
   const auto channels = static_cast<Index>(problem.channels);
+  const double cutoff = wrist_cutoff(problem.training.front().step);
   for (const char* angle : angles)
-    add_coarse_sensor(subject, {angle, "quantisation of the angle sensor", angle, coarse_angle});
+    add_coarse_sensor(subject, {angle, "quantisation of the angle sensor", angle, cutoff});
   add_changing_pulleys(subject);
   for (int axis = 0; axis < 2; ++axis) {
     const LogScale s = scale_of(problem.training, axis);

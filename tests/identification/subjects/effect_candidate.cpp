@@ -122,44 +122,6 @@ TEST_CASE("a load in a gap goes where its own force takes it") {
         column("inertial_backlash", shaken, Eigen::Vector2d(gap, 0.3)));
 }
 
-TEST_CASE("a coarse sensor's step is found behind a finer grid") {
-  const double coarse = 2.0489e-4, fine = 9.48e-6;
-  const auto rounded = [](double x, double unit) { return unit * std::round(x / unit); };
-  VectorXd motion(8000), twice(8000), once(8000), held(8000);
-  for (Index k = 0; k < motion.size(); ++k) {
-    motion(k) = 0.4 * std::sin(5.0 * step * static_cast<double>(k));
-    twice(k) = rounded(rounded(motion(k), coarse), fine);
-    once(k) = rounded(motion(k), fine);
-    held(k) = rounded(rounded(motion(k), 100.0 * coarse), fine);
-  }
-  CHECK(sensor_steps(twice).step == Catch::Detail::Approx(coarse).epsilon(1e-3));
-  CHECK(sensor_steps(once).step == Catch::Detail::Approx(fine).epsilon(1e-3));
-  CHECK(sensor_steps(twice).scatter == Catch::Detail::Approx(fine / std::sqrt(12.0)).epsilon(0.1));
-  CHECK(sensor_steps(once).scatter < 1e-3 * fine);
-  // Seen to fail where changes must vary: a step at a time is all that a very coarse sensor shows.
-  CHECK(sensor_steps(held).step == Catch::Detail::Approx(100.0 * coarse).epsilon(1e-3));
-  // Planted: no steps, strokes at constant speeds in whole ratios, whose changes from sample to
-  // sample are multiples of one, and steps with noise on the reading.
-  CHECK(sensor_steps(motion).step == 0.0);
-  for (const double most : {1.0, 3.0}) {
-    VectorXd strokes = VectorXd::Zero(8000);
-    double speed = 0.0, place = 0.0;
-    for (Index k = 0; k < strokes.size(); ++k) {
-      const auto stroke = static_cast<double>(k / 500);
-      const double wanted = (std::fmod(stroke, most) + 1.0) * (k / 500 % 2 == 0 ? 0.1 : -0.1);
-      speed += 0.1 * (wanted - speed);
-      place += step * speed;
-      strokes(k) = place;
-    }
-    CHECK(sensor_steps(strokes).step == 0.0);
-  }
-  VectorXd uniform = VectorXd::LinSpaced(8000, 0.0, 0.8);
-  CHECK(sensor_steps(uniform).step == 0.0);
-  for (Index k = 0; k < twice.size(); ++k)
-    twice(k) += 0.37 * fine * static_cast<double>(k * k % 13);
-  CHECK(sensor_steps(twice).step == 0.0);
-}
-
 TEST_CASE("the true motion is the reading plus where in its play the sensor is") {
   // Planted defect: with a straight way across the play the error is half of its half.
   const double half = 5e-4;
