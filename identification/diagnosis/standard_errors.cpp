@@ -45,14 +45,28 @@ VectorXd row_noise(const NoiseView& noise, const Stack& stacked) {
   return variance;
 }
 
-/// Normal matrix of the rows and that of their noise. `shapes`: columns beside the stack's, all
-/// rows.
+/// What a nonlinear parameter's range says of it, where the logs say nothing: the reciprocal of the
+/// variance of all values between its ends, the logarithms of which are alike likely where it is
+/// logarithmic.
+double precision_of_range(const NonlinearParameter& range, double value) {
+  const double wide =
+      range.logarithmic ? value * std::log(range.high / range.low) : range.high - range.low;
+  return 12.0 / (wide * wide);
+}
+
+/// Normal matrix of the rows and that of their noise, both with what is known beforehand.
 struct Normal {
   MatrixXd gram, spread;
 };
 
-Normal normal_of(const Stack& stacked, const std::vector<VectorXd>& shapes,
-                 const VectorXd& variance) {
+/// Columns beside the stack's, all rows, and the precision that their parameters have without them.
+struct Sensitivities {
+  std::vector<VectorXd> columns;
+  std::vector<double> precision;
+};
+
+Normal normal_of(const Stack& stacked, const Sensitivities& of_shapes, const VectorXd& variance) {
+  const std::vector<VectorXd>& shapes = of_shapes.columns;
   const auto more = static_cast<Index>(shapes.size()), all = stacked.coefficients + more;
   Normal sum{MatrixXd::Zero(all, all), MatrixXd::Zero(all, all)};
   for (std::size_t s = 0; s < stacked.a.size(); ++s) {
@@ -63,8 +77,10 @@ Normal normal_of(const Stack& stacked, const std::vector<VectorXd>& shapes,
         variance.segment(stacked.first_row[s], rows.a.rows()).cwiseSqrt().asDiagonal() * rows.a;
     sum.spread(rows.at, rows.at) += rows.a.transpose() * rows.a;
   }
-  sum.gram.diagonal().head(stacked.coefficients) += stacked.prior;
-  sum.spread.diagonal().head(stacked.coefficients) += stacked.prior;
+  VectorXd known(all);
+  known << stacked.prior, VectorXd::Map(of_shapes.precision.data(), more);
+  sum.gram.diagonal() += known;
+  sum.spread.diagonal() += known;
   return sum;
 }
 
@@ -75,7 +91,7 @@ std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, cons
   const Stack stacked = stack(model, noise.weights);
   const LinearFit fit = solve(stacked);
   const std::vector<Index> first = first_columns(model);
-  std::vector<VectorXd> sensitivities;
+  Sensitivities sensitivities;
   std::vector<std::vector<ParameterEstimate>> result(model.terms.size());
   std::vector<std::vector<Index>> columns(model.terms.size());
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
@@ -97,10 +113,12 @@ std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, cons
     for (Index p = 0; p < shapes; ++p) {
       const NonlinearParameter& range = term.candidate->nonlinear[static_cast<std::size_t>(p)];
       if (!(range.high > range.low)) continue;
-      sensitivities.push_back(sensitivity(design, term, p, fit.coefficients.segment(first[t], wide),
-                                          noise.weights, stacked));
+      sensitivities.columns.push_back(sensitivity(
+          design, term, p, fit.coefficients.segment(first[t], wide), noise.weights, stacked));
+      sensitivities.precision.push_back(precision_of_range(range, term.nonlinear(p)));
       result[t].push_back({range.name, range.unit, term.nonlinear(p), 0.0, {}});
-      columns[t].push_back(stacked.coefficients + static_cast<Index>(sensitivities.size()) - 1);
+      columns[t].push_back(stacked.coefficients + static_cast<Index>(sensitivities.columns.size()) -
+                           1);
     }
   }
   const Normal normal = normal_of(stacked, sensitivities, row_noise(noise, stacked));
@@ -108,7 +126,7 @@ std::vector<std::vector<ParameterEstimate>> estimates(const Design& design, cons
   VectorXd variance = (inverse * normal.spread * inverse).diagonal();
   if (errors == NoiseErrors::of_stretches_too)
     variance = variance.cwiseMax(
-        covariance_by_stretches(design, stacked, sensitivities, fit.residual, normal.gram)
+        covariance_by_stretches(design, stacked, sensitivities.columns, fit.residual, normal.gram)
             .diagonal());
   for (std::size_t t = 0; t < result.size(); ++t)
     for (std::size_t i = 0; i < result[t].size(); ++i)

@@ -100,5 +100,8 @@ TEST_CASE("two numbers for one size are as far off as they are apart") {
   REQUIRE(told.size() == 2);
   CHECK(told[0].value == Approx(0.5).epsilon(0.01));
   CHECK(told[0].standard_error == Approx(0.3 / std::sqrt(2.0)).epsilon(0.02));
-  CHECK(told[1].standard_error == Approx(0.3 / std::sqrt(2.0)).epsilon(0.02));
+  // Planted defect, seen to fail: nothing beside the logs, which say nothing here; a drive's gap
+  // was told as (0.0 ± 3.0)×10⁸ rad. Any value of its range is as likely.
+  const double of_range = 0.8 * std::log(20.0) / std::sqrt(12.0);
+  CHECK(told[1].standard_error == Approx(std::hypot(of_range, 0.3 / std::sqrt(2.0))).epsilon(0.02));
 }
