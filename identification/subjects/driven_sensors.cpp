@@ -152,11 +152,12 @@ void DrivenSubject::add_sensor_errors(Recording& log) const {
   add("steps", steps);
 }
 
-/// With steps as fine as any good drive has: 17 bits a turn, 10 um of a linear scale.
+/// With steps as fine as any good drive has, 17 bits a turn or 10 um of a linear scale, or as the
+/// log's last digits have, which are no fault of the sensor.
 bool DrivenSubject::fine_sensor(std::size_t joint) const {
   constexpr double kFinestAngle = std::numbers::pi / (1 << 16), kFinestWay = 1e-5, kAsFitted = 1e-3;
   const double finest = model_.joints[joint].revolute ? kFinestAngle : kFinestWay;
-  return quantum_[joint] <= (1.0 + kAsFitted) * finest;
+  return quantum_[joint] <= (1.0 + kAsFitted) * std::max(finest, digits_[joint]);
 }
 
 /// Joints whose effort feels what is wrong with a joint's logged motion, itself among them; the

@@ -80,6 +80,7 @@ DrivenSubject::DrivenSubject(DrivenModel model, Identified identified,
     tendons_ = std::make_shared<const TendonColumns>(model_, runtime_);
   presliding_.resize(bristle_.size(), 0.0);
   quantum_.resize(bristle_.size(), 0.0);
+  digits_.resize(bristle_.size(), 0.0);
   rounded_again_.resize(bristle_.size(), false);
   problem_.channels = static_cast<int>(bristle_.size());
   if (tendons_) problem_.noise_groups = joined_by_tendons(model_);
@@ -131,6 +132,7 @@ void DrivenSubject::add_tendon_forces(const MatrixXd& forces, const MatrixXd& ef
 void DrivenSubject::learn_steps(const Log& log, int position, std::size_t joint) {
   const Channel& channel = log.channels[static_cast<std::size_t>(position)];
   quantum_[joint] = std::max(quantum_[joint], channel.quantum);
+  digits_[joint] = std::max(digits_[joint], channel.last_digit);
   for (const sinew::Segment& segment : log.segments) {
     const SensorSteps steps = sensor_steps(columns_of(segment, {position}).col(0));
     quantum_[joint] = std::max(quantum_[joint], steps.step);

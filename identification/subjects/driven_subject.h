@@ -213,6 +213,7 @@ class DrivenSubject {
   std::shared_ptr<const TendonColumns> tendons_;  ///< none where efforts are measured at the joints
   std::vector<bool> bristle_;
   std::vector<double> quantum_;      ///< of the logged positions; 0: no steps seen
+  std::vector<double> digits_;       ///< what their logs' last digits leave of them
   std::vector<bool> rounded_again_;  ///< their logs have a much finer grid than the sensor
   std::vector<PositionError> position_error_;
   std::vector<double> presliding_;  ///< fitted length, where the direction is a bristle state
