@@ -37,8 +37,7 @@ diagnosis::DrivenSubject prepared_arm(const Mechanism& nominal, const ArmLog& lo
   return subject;
 }
 
-ArmLog with_encoder_steps(ArmLog log) {
-  constexpr double step = 2.0 * std::numbers::pi / (1 << 18);
+ArmLog with_encoder_steps(ArmLog log, double step) {
   log.q = (log.q / step).array().round() * step;
   return log;
 }

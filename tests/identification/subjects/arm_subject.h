@@ -2,6 +2,8 @@
 // The arm of five joints under diagnosis, its log read and prepared, no search.
 #pragma once
 
+#include <numbers>
+
 #include "identification/logs/carried_payload.h"
 #include "identification/subjects/driven_subject.h"
 #include "tests/identification/subjects/arm_logs.h"
@@ -14,7 +16,7 @@ diagnosis::DrivenSubject prepared_arm(const Mechanism& nominal, const ArmLog& lo
                                       const diagnosis::Settings& settings = {},
                                       const CarriedPayload* carried = nullptr);
 
-/// As encoders of 18 bits read it.
-ArmLog with_encoder_steps(ArmLog log);
+/// As encoders with these steps [rad] read it, of 18 bits where nothing is said.
+ArmLog with_encoder_steps(ArmLog log, double step = 2.0 * std::numbers::pi / (1 << 18));
 
 }  // namespace sinew::test
