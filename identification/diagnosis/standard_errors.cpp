@@ -49,8 +49,7 @@ VectorXd row_noise(const NoiseView& noise, const Stack& stacked) {
 /// variance of all values between its ends, the logarithms of which are alike likely where it is
 /// logarithmic.
 double precision_of_range(const NonlinearParameter& range, double value) {
-  const double wide =
-      range.logarithmic ? value * std::log(range.high / range.low) : range.high - range.low;
+  const double wide = range.width_at(value);
   return 12.0 / (wide * wide);
 }
 
@@ -78,7 +77,8 @@ Normal normal_of(const Stack& stacked, const Sensitivities& of_shapes, const Vec
     sum.spread(rows.at, rows.at) += rows.a.transpose() * rows.a;
   }
   VectorXd known(all);
-  known << stacked.prior, VectorXd::Map(of_shapes.precision.data(), more);
+  known.head(stacked.coefficients) = stacked.prior;
+  known.tail(more) = VectorXd::Map(of_shapes.precision.data(), more);
   sum.gram.diagonal() += known;
   sum.spread.diagonal() += known;
   return sum;

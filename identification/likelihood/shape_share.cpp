@@ -15,14 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A step of the grid at a value, in the parameter's unit; 0: the parameter has one value.
-double step_at(const NonlinearParameter& range, double value) {
-  if (!(range.high > range.low)) return 0.0;
-  const double steps = std::max(1, range.grid - 1);
-  return range.logarithmic ? value * std::log(range.high / range.low) / steps
-                           : (range.high - range.low) / steps;
-}
-
 /// Derivatives of what a term says by steps of its parameters, per segment.
 std::vector<MatrixXd> rates_of(const FittedModel& fitted, std::size_t term) {
   const Term& of = fitted.model.terms[term];
@@ -32,7 +24,7 @@ std::vector<MatrixXd> rates_of(const FittedModel& fitted, std::size_t term) {
   std::vector<MatrixXd> rates(fitted.weights.size());
   for (Index p = 0; p < of.nonlinear.size(); ++p) {
     const double step =
-        step_at(of.candidate->nonlinear[static_cast<std::size_t>(p)], of.nonlinear(p));
+        of.candidate->nonlinear[static_cast<std::size_t>(p)].step_at(of.nonlinear(p));
     if (step == 0.0) continue;
     const BandColumns rate = shape_rate(fitted.design, of, p, coefficients);
     for (std::size_t s = 0; s < rates.size(); ++s) {

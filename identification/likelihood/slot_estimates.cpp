@@ -65,10 +65,8 @@ std::vector<ParameterEstimate> of_one_shape(const FoundSlots& found, const SlotF
   const Shape& shape = found.all.shapes[static_cast<std::size_t>(entry.shapes.front())];
   for (Index k = 0; k < shape.nonlinear.size(); ++k) {
     const NonlinearParameter& range = source.nonlinear[static_cast<std::size_t>(k)];
-    const double steps = std::max(1, range.grid - 1), value = shape.nonlinear(k);
-    const double step = range.logarithmic ? value * std::log(range.high / range.low) / steps
-                                          : (range.high - range.low) / steps;
-    list.push_back({range.name, range.unit, value, step / std::sqrt(12.0), {}});
+    const double value = shape.nonlinear(k);
+    list.push_back({range.name, range.unit, value, range.step_at(value) / std::sqrt(12.0), {}});
   }
   return list;
 }

@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 /// Mean of cos(2 pi x / step) over distances x from a lattice: 1 on it, exp(-2 pi^2 s^2 / step^2)
 /// with noise of rms s, 0 where there is none.
 constexpr double kOnLattice = 0.5;
+constexpr double kFewest = 40.0;  // readings or changes that tell of a lattice
 
 /// Steps, the largest first and to a few per cent, that the changes within `lag` samples may be
 /// multiples of: maxima of their mean cosine. A motion's own changes have a smooth distribution,
@@ -24,7 +25,7 @@ constexpr double kOnLattice = 0.5;
 std::vector<double> steps_of_changes(const VectorXd& reading, Index lag) {
   constexpr std::size_t kBins = 1 << 16;  // of the changes; a step has eight of them at least
   constexpr std::size_t kFewSteps = 10;   // of less in the largest change the motion's own show
-  constexpr std::size_t kMost = 8;
+  constexpr std::size_t kMost = 8;        // the others are fractions of these
   const Index n = reading.size() - lag;
   const VectorXd change = (reading.tail(n) - reading.head(n)).cwiseAbs();
   const double largest = change.maxCoeff();
@@ -104,14 +105,13 @@ Index slowest(const VectorXd& reading) {
 /// The lattice on which the values lie, its step near `step`. It becomes known well enough to count
 /// ever more of it from where the reading is slow.
 SensorSteps lattice_near(const VectorXd& values, double step) {
-  constexpr double kFew = 40.0;
   const double origin = values(slowest(values));
   const VectorXd way = values.array() - origin;
   const double furthest = way.cwiseAbs().maxCoeff();
   SensorSteps found;
   for (double most = 4.0;; most *= 4.0) {
     const Lattice lattice = fitted(way, step, most);
-    if (lattice.counted >= kFew) {
+    if (lattice.counted >= kFewest) {
       if (!(lattice.step > 0.0) || lattice.on < kOnLattice) return {};
       step = lattice.step;
       const double on = std::min(lattice.on, 1.0);
@@ -124,7 +124,7 @@ SensorSteps lattice_near(const VectorXd& values, double step) {
 
 /// A motion at constant speeds has equal changes one after the other without any steps of a sensor.
 bool shows_steps(const VectorXd& reading, const SensorSteps& steps) {
-  constexpr double kMostlyEqual = 0.9, kFewest = 40.0;
+  constexpr double kMostlyEqual = 0.9;
   const VectorXd count = ((reading.array() - steps.offset) / steps.step).round();
   double changes = 0.0, equal = 0.0;
   for (Index k = 1; k + 1 < count.size(); ++k) {

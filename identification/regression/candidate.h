@@ -4,6 +4,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
@@ -64,6 +66,13 @@ struct NonlinearParameter {
   double low = 0.0, high = 1.0;
   int grid = 5;             ///< starting points between the bounds
   bool logarithmic = true;  ///< spacing of the starting points; needs low > 0
+
+  /// The whole range, and a step of the grid, in the parameter's unit as they are at a value.
+  double width_at(double value) const {
+    if (!(high > low)) return 0.0;
+    return logarithmic ? value * std::log(high / low) : high - low;
+  }
+  double step_at(double value) const { return width_at(value) / std::max(1, grid - 1); }
 };
 
 /// A linear coefficient. An estimate beyond low or high is not this effect.

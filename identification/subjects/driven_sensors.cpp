@@ -2,9 +2,7 @@
 // What the logged positions of driven joints show: the smooth motion, its derivatives, and the
 // errors of the sensors.
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "identification/logs/dequantise.h"
 #include "identification/logs/filter.h"
@@ -152,12 +150,12 @@ void DrivenSubject::add_sensor_errors(Recording& log) const {
   add("steps", steps);
 }
 
-/// With steps as fine as any good drive has, 17 bits a turn or 10 um of a linear scale, or as the
-/// log's last digits have, which are no fault of the sensor.
+/// With steps as fine as any good drive has, 17 bits a turn or 10 um of a linear scale, or of one
+/// of the log's last digits, which are no fault of the sensor.
 bool DrivenSubject::fine_sensor(std::size_t joint) const {
-  constexpr double kFinestAngle = std::numbers::pi / (1 << 16), kFinestWay = 1e-5, kAsFitted = 1e-3;
-  const double finest = model_.joints[joint].revolute ? kFinestAngle : kFinestWay;
-  return quantum_[joint] <= (1.0 + kAsFitted) * std::max(finest, digits_[joint]);
+  constexpr double kFinestAngle = 5e-5, kFinestWay = 1e-5;
+  return quantum_[joint] <= (model_.joints[joint].revolute ? kFinestAngle : kFinestWay) ||
+         quantum_[joint] < 2.0 * digits_[joint];
 }
 
 /// Joints whose effort feels what is wrong with a joint's logged motion, itself among them; the

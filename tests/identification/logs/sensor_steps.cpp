@@ -19,7 +19,7 @@ double rounded(double x, double unit) {
   return unit * std::round(x / unit);
 }
 
-/// A motion that passes several steps a sample and turns five times a second.
+/// A motion that passes several steps a sample and goes to and fro five times a second.
 VectorXd motion_of(Index samples) {
   VectorXd motion(samples);
   for (Index k = 0; k < samples; ++k) {
